@@ -8,7 +8,7 @@ from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.telling import Telling
-from scegen.understanding.chunks import Place
+from scegen.understanding.chunks import Place, Prep
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Amount, Apart, Doing
 from scegen.understanding.lexicon import word_list
@@ -187,3 +187,25 @@ def _into(doing: Doing, scene: Clause, context: Context) -> None:
     named = [e for e in (*owners, *scene.targets, *people(near), *cut) if e is not doing.entity]
     if named:
         doing.into, doing.into_basis = named[0], Basis(event.i, event.j)
+    if near and named and not context.junction.crossing and named[0].moving_vehicle:
+        _beside_whom(doing, named[0], near[0], context)
+
+
+def _beside_whom(doing: Doing, other: Entity, phrase: Prep, context: Context) -> None:
+    """``changes to the right lane in front of a truck``, ``behind it``: that one is there.
+
+    Who comes in behind another is so from the start, unless it lets that one by.
+    """
+    draft, behind = context.draft, phrase.value == "behind"
+    who, seen = (other, Approach.AHEAD) if doing.entity.ego else (doing.entity, Approach.BEHIND)
+    told = [p for p in draft.placements if other in (p.entity, p.reference) or who is p.entity]
+    said = [p.approaches for p in told if not behind or p.basis.i != phrase.word.i]
+    if not (doing.entity.ego or (behind and other.ego)) or any(a != _BESIDE for a in said):
+        return
+    basis = Basis(phrase.word.i, other.basis.j)
+    if not said:
+        draft.place(who, None, _BESIDE, basis)
+        if doing.entity.ego and doing.side is not None:
+            other.beside = other.beside or (doing.side.value, basis)
+    if behind and doing.entity not in context.letting:
+        draft.place(who, None, {seen}, basis)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
-from scegen.scenario.vocabulary import Approach
+from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts.telling import Telling
-from scegen.understanding.chunks import Mention
+from scegen.understanding.chunks import Mention, Thing
 from scegen.understanding.entity import Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause
@@ -13,14 +13,13 @@ from scegen.understanding.semantics.context import Clause
 _GOES = frozenset({"pass", "cross", "move", "enter", "turn", "walk", "overtake", "merge"})
 _ACROSS = frozenset({Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE})
 _HOLDING = frozenset({"wait", "stop"})
-_GOING = frozenset({"move", "turn", "enter", "accelerate", "leave", "overtake", "cross"})
 
 
 def let_by(clause: Clause, text: Telling) -> list[Entity]:
     """Whom one lets go first: ``gives way to``, ``lets it pass``, ``stops for``."""
     event = clause.event
     if event.name == "yield":
-        return clause.targets
+        return clause.targets or _coming_across(clause, text)
     if event.lemma == "let":
         return clause.targets if any(c.name in _GOES for c in event.children) else []
     if event.name not in _HOLDING:
@@ -32,6 +31,8 @@ def let_by(clause: Clause, text: Telling) -> list[Entity]:
     awaited = [] if named else _until_gone(clause, text)
     if awaited:
         return awaited
+    if not named and event.name == "wait":
+        return _coming_across(clause, text)
     return [e for mention in named for e in mention.entities if e not in clause.actors]
 
 
@@ -73,3 +74,23 @@ def go_on(text: Telling) -> None:
         before = act.when.act if act.when is not None else None
         if before is not None and (before not in kept or before.kind is ActKind.GIVE_WAY):
             act.when = None  # that the other goes first says it
+
+
+def _coming_across(clause: Clause, text: Telling) -> list[Entity]:
+    """``a pedestrian crosses, the ego waits``: whoever comes across its way just before."""
+    event = clause.event
+    other = [p for p in event.pps if p.value != "for" or not isinstance(p.target, Thing)]
+    if not all(e.is_vehicle and not e.parked for e in clause.actors) or other or event.object:
+        return []  # "waits for a gap" says no more of whom than "waits"
+    before = [s for s in text.scenes if s.event.i < event.i]
+    before = [s for s in before if event.sentence - s.event.sentence <= 1]
+    for told in reversed(before):
+        if told.event.negated or told.actors == clause.actors:
+            continue
+        from_side = any(p.value == "from" and p.names("side") for p in told.event.pps)
+        others = [e for e in told.actors if e not in clause.actors]
+        meets = [e for e in others if from_side or Maneuver.CROSS in e.maneuvers]
+        return meets or [e for e in others if "opposite" in e.dirs]
+    seen = [p.entity for p in text.draft.placements if p.approaches <= _ACROSS and not p.reference]
+    seen = [e for e in seen if e.moving_vehicle and e not in clause.actors]
+    return seen[:1] if event.name == "yield" else []

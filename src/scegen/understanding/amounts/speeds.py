@@ -40,6 +40,8 @@ def held(figure: Figure) -> bool:
     if able and all(e in others or e in again for e in able):
         able = _without_speed(figure) or able  # "beside a truck, also 100 km/h"
     for entity in able:
+        if entity.speed is not None and entity.speed != speed:
+            _hand_on(entity, figure)
         if entity.speed is None:
             entity.speed, entity.speed_basis = speed, figure.amount.basis
         elif entity.speed != speed:
@@ -252,3 +254,16 @@ def _opens_with(figure: Figure) -> list[Entity]:
         return list(who.entities)
     told = before and who.prep is None and not who.possessor and not text.within(start, who.i)
     return list(who.entities) if told else []
+
+
+def _hand_on(entity: Entity, figure: Figure) -> None:
+    """``overtakes a tractor at 25 km/h; the ego drives 70 km/h``: the first was the tractor's."""
+    basis, text = entity.speed_basis, figure.text
+    if basis is None or basis.i is None:
+        return  # nobody said it
+    start, i = text.bounds(basis.i)[0], basis.i
+    named = [m.entities for m in text.mentions if start <= m.i < i][-1:]
+    others = [e for e in named[0] if e is not entity] if named and len(named[0]) == 1 else []
+    for other in (e for e in others if e.speed is None and not e.still):
+        other.speed, other.speed_basis = entity.speed, basis
+        entity.speed = entity.speed_basis = None

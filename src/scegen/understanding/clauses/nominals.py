@@ -18,7 +18,6 @@ from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.doings_named import DONE_TO
 from scegen.understanding.phrases.lookahead import finite_follows, is_word
 
-_SMALL = frozenset({"prep", "manner"})
 _REACH = 3
 _PARTS = frozenset({"side", "flank"})
 _OWNED = frozenset({"side", "flank", "lane", "path", "right_of_way"})

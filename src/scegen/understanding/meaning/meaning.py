@@ -71,7 +71,10 @@ class Interpreter:
             What happens, in the order of the text.
         """
         self._of_verbs = {
-            id(p) for e in events for p in e.pps if _is_of_the_verb(p, e) or self._gone_to(p, e)
+            id(p)
+            for e in events
+            for p in e.pps
+            if _is_of_the_verb(p, e, self._draft.kerb) or self._gone_to(p, e)
         }
         self._context.told_in_the_past = any(
             e.finite and e.form == "ed" and e.name != "stop" and not e.passive for e in events
@@ -204,15 +207,27 @@ class Interpreter:
                 self._draft.place(entity, None, {_PAIR[number]}, basis)
 
 
-def _is_of_the_verb(prep: Prep, event: Event) -> bool:
+def _is_of_the_verb(prep: Prep, event: Event, kerb: str) -> bool:
     """``approaches the ego from the left``: not the ego comes from there."""
     who = prep.on_mention
     met = any(p.value in {"into", "with"} and p.target is who for p in event.pps)
     if met and _from_behind(prep):  # "runs into the van from behind"
         return True
     beside = event.name in _BESIDE and prep.names("side") and not _met_there(prep)
+    beside = beside and not _stands_there(prep, event, kerb)
     of_verb = beside or _starts(event, prep) or own_lane(event, prep)
     return who is event.object and of_verb
+
+
+def _stands_there(prep: Prep, event: Event, kerb: str) -> bool:
+    """``passes a parked van on the right``: at the kerb, not the side on which one passes it.
+
+    Who "drives past a parked van on the left" passes it on neither.
+    """
+    who, side = prep.on_mention, prep.place
+    parked = who is not None and all(e.parked for e in who.entities)
+    past = event.name == "bypass" or any(p.leads_past for p in event.pps)
+    return parked and side is not None and (kerb in side.dirs or past)
 
 
 def _met_there(prep: Prep) -> bool:

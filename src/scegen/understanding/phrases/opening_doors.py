@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import cat_at, chunk_at, value_at
 from scegen.understanding.words.terms import Term
@@ -45,9 +45,14 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
 
 def _opening(chunks: list[Chunk], k: int, tokens: list[Token]) -> tuple[list[Chunk], Event] | None:
     """``(door) of a van is flung open``: of whom, and the verb with its words."""
-    owner = [c for c in chunks[k + 2 : k + 3] if isinstance(c, Mention)]
-    owner = owner if value_at(chunks, k + 1) == "of" else []
-    verb = k + 1 + 2 * len(owner)
+    owner: list[Chunk] = []
+    verb = k + 1
+    if value_at(chunks, verb) == "of" and isinstance(chunk_at(chunks, k + 2), Mention):
+        parked = chunk_at(chunks, k + 3)  # "of a van parked on the right"
+        verb = k + 3 + (isinstance(parked, Event) and parked.name == "park")
+        where = chunk_at(chunks, verb + 1)
+        verb += 2 * (cat_at(chunks, verb) == "prep" and isinstance(where, Place))
+        owner = chunks[k + 2 : verb]
     while cat_at(chunks, verb) in _HELPS:
         verb += 1
     i = chunks[verb].i if verb < len(chunks) else len(tokens)
@@ -56,7 +61,7 @@ def _opening(chunks: list[Chunk], k: int, tokens: list[Token]) -> tuple[list[Chu
     if end is None:
         return None
     shut = any(t.low in word_list("denying") for t in tokens[chunks[k].j : end])
-    return [*owner], Event("door", i, end, "s", lemma="open", negated=shut)
+    return owner, Event("door", i, end, "s", lemma="open", negated=shut)
 
 
 def _who(door: Thing, before: list[Chunk]) -> Mention:

@@ -14,7 +14,6 @@ from scegen.understanding.words.tokens import Token
 _SIDED = frozenset({"side", "direction"})
 _SIDES = frozenset({"left", "right", "opposite"})
 _CROSSED = frozenset({"crosswalk", "road", "junction"})
-_STILL = frozenset({"parked", "stationary", "stop", "park"})
 _WHICH = frozenset({"which", "whom"})
 _ROADS, _OUT_OF = frozenset({"access", "road", "leg"}), frozenset({"of", "from"})
 _COME_FROM = frozenset({"lane", "leg", "road", "access", "side"})
@@ -84,14 +83,6 @@ def which_is_it(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         place = chunk if isinstance(chunk, Place) else None if chunk is known else place
         found.append(chunk)
     return found
-
-
-def _stands(who: Mention, after: list[Chunk]) -> bool:
-    """``a stationary car``, ``a car is at a standstill``, ``a car stands``."""
-    verb = next((c for c in after if c.cat != "aux"), None)
-    still = isinstance(verb, Event) and verb.name in {"stop", "park", "wait", "locate"}
-    still = still or (verb is not None and verb.cat == "state")
-    return still or any(m.cat in {"state", "verb"} and m.value in _STILL for m in who.mods)
 
 
 def _remember(chunk: Place, last: dict[str, Place], tokens: list[Token]) -> None:

@@ -24,7 +24,6 @@ _AGAIN = (
     frozenset({"cut_in", "lane_change", "merge", "return"}),
 )
 """What a second clause may tell of another time, so that its subject is the same."""
-_SIGNS = frozenset({"signal", "stop_sign", "yield_sign"})
 _ALONG = frozenset({"behind", "ahead", "adjacent", "opposite"})
 
 

@@ -133,7 +133,6 @@ _EXITS = {
     "first": Maneuver.EXIT_1, "second": Maneuver.EXIT_2, "third": Maneuver.EXIT_3,
     "fourth": Maneuver.EXIT_4, "fifth": Maneuver.EXIT_5, "sixth": Maneuver.EXIT_6,
 }  # fmt: skip
-_REACH = 3
 
 
 def _ways(clause: Clause, context: Context) -> dict[Maneuver, Basis]:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any
 
-from scegen.understanding.lexicon import load_contexts, word_list
+from scegen.understanding.lexicon import load_contexts
 from scegen.understanding.words.paces import doing
 from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.terms import Term, longest_match, term_at
@@ -212,7 +212,3 @@ def _speed(term: Term) -> bool:
     """Whether a term says how fast: "50 mph", "40 in a 30", or a bare number after "doing"."""
     paced = term.cat == "manner" and term.value in {"fast", "slow"}
     return paced or term.cat in {"quantity", "num"}
-
-
-def _numbers(term: Term, tokens: list[Token]) -> bool:
-    return tokens[term.i].low in word_list("numbering")

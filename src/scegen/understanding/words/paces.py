@@ -17,6 +17,9 @@ _LOWEST_BARE = 15
 """Lower numbers without a unit, after "at", are hours as well."""
 
 
+_BESIDE = 3
+
+
 def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
     """``a car comes at 50, the ego was doing 40 km/h``: in the unit of the other speeds, if any.
 
@@ -44,13 +47,24 @@ def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
 
 
 def _likewise(tokens: list[Token], i: int, j: int) -> bool:
-    """``the truck does 60 km/h, the ego 80``, ``and 80 for the ego``: after another's speed."""
-    who = longest_match(tokens, i - 1) if i else None
+    """``the truck does 60 km/h, the ego 80``, ``the ego's 80``, ``and 80 for the ego``.
+
+    Right beside who it is, after another's speed.
+    """
+    ends = [k for k in range(max(0, i - _BESIDE), i) if _ends_place(tokens, k, i)] or [i]
+    who = longest_match(tokens, ends[0] - 1) if ends[0] else None
     if (who is None or "actor" not in who.cats) and low_at(tokens, j) != "for":
         return False
     begin = max((k for k in range(i) if tokens[k].low in {".", ":"}), default=-1) + 1
     said = (quantity_at(tokens, k) for k in range(begin, i))
     return any(q is not None and q.dimension == "speed" for q in said)
+
+
+def _ends_place(tokens: list[Token], k: int, i: int) -> bool:
+    """``'s``, ``in front``: whether it stands at token ``k``, right before a number."""
+    place = longest_match(tokens, k)
+    own = tokens[k].kind == "clitic" and k + 1 == i
+    return own or (place is not None and place.j == i and place.has("locus"))
 
 
 def doing(tokens: list[Token], i: int) -> bool:

@@ -79,3 +79,26 @@ def over_a_place(tokens: list[Token], match: Match) -> bool:
 def suffix_form(token: Token) -> str | None:
     """The inflection that the ending of an unknown word shows."""
     return next((ending for ending in ("ing", "ed", "s") if token.low.endswith(ending)), None)
+
+
+def after_a_phrase(token: Token, previous: Term, tokens: list[Token]) -> bool:
+    """``a bus from the left asserts its priority``, ``the car ahead overshoots the line``.
+
+    A noun would not stand there with an ending and an object of its own.
+    """
+    if not token.low.endswith("s") or token.low.endswith(("ss", "ings", "us")):
+        return False
+    k = tokens.index(token)
+    sided = previous.cat == "dir" and previous.value in {"left", "right"}
+    sided = sided and low_at(tokens, k - 2) == "the"
+    after = low_at(tokens, k + 1)
+    governs = begins(tokens, k + 1, "det", "possessive") or after in {
+        "to",
+        "and",
+        "from",
+        "it",
+        "left",
+        "right",
+    }
+    governs = governs or after in word_list("particles_across")
+    return sided or (previous.cat in {"place", "locus", "compass"} and governs)

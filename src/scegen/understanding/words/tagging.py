@@ -12,6 +12,7 @@ from scegen.understanding.words.labels import named_at, street_name
 from scegen.understanding.words.numbers import number_at
 from scegen.understanding.words.paces import bare_speed
 from scegen.understanding.words.particles import (
+    after_a_phrase,
     just_right,
     nothing_shed,
     over_a_place,
@@ -64,6 +65,8 @@ def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str 
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
     if previous.cat in {"actor", "pronoun", "rel"} or adverb:
         return suffix_form(token)
+    if after_a_phrase(token, previous, tokens):
+        return "s"
     return None
 
 
