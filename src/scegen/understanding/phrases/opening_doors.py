@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.phrases.lookahead import cat_at, chunk_at, value_at
+from scegen.understanding.phrases.lookahead import cat_at, chunk_at, ends, value_at
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -22,9 +22,27 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     car.
     """
     found: list[Chunk] = []
+    after: list[Chunk] = []
     skip = 0
     for k, chunk in enumerate(chunks):
         if k < skip:
+            continue
+        what, whose = chunk_at(chunks, k + 1), chunk_at(chunks, k + 2)
+        if ends(chunk):
+            found, after = [*found, *after], []
+        of = what is not None and what.value == "of" and isinstance(whose, Mention)
+        if of and isinstance(chunk, Event) and isinstance(whose, Mention) and _named(chunk, found):
+            comma = Word(Term("punct", ",", chunk.i, chunk.i))  # "hits the open door of a van"
+            opened = replace(chunk, mods=[], form="s")
+            after = [comma, replace(whose, pps=[], same_as=whose), opened]
+            found.append(whose)
+            skip = k + 3
+            continue
+        opens_it = isinstance(chunk, Event) and tokens[chunk.i].low.startswith("open")
+        if opens_it and isinstance(what, Thing) and what.kind == "door":  # "opens its left door"
+            mods = list(what.mods)
+            found.append(Event("door", chunk.i, what.j, "s", lemma="open", mods=mods))
+            skip = k + 2
             continue
         door = isinstance(chunk, Thing) and chunk.kind == "door"
         told = _opening(chunks, k, tokens) if door else None
@@ -40,7 +58,13 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             found += owner or [_who(chunk, found)]
         found.append(opens)
         skip = next((m for m in range(k, len(chunks)) if chunks[m].i >= opens.j), len(chunks))
-    return found
+    return found + after
+
+
+def _named(door: Event, before: list[Chunk]) -> bool:
+    """``hits the open door``: a name of the door, nobody's doing."""
+    article = any(m.cat in {"det", "possessive"} for m in door.mods)
+    return door.name == "door" and (article or cat_at(before, len(before) - 1) == "det")
 
 
 def _opening(chunks: list[Chunk], k: int, tokens: list[Token]) -> tuple[list[Chunk], Event] | None:

@@ -6,8 +6,9 @@ import re
 
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.nouns_ahead import noun_follows
+from scegen.understanding.words.numbers import POSITIONS
 from scegen.understanding.words.quantities import quantity_at
-from scegen.understanding.words.terms import Term
+from scegen.understanding.words.terms import Term, term_at
 from scegen.understanding.words.tokens import Token, low_at
 
 _LABELLED = re.compile(r"^(?:v|veh|u|d|t|car|cv|obj|tgt|gvt)\d{1,2}$")
@@ -71,3 +72,36 @@ def _aged(tokens: list[Token], i: int) -> Term | None:
     if noun_follows(tokens, j) or low_at(tokens, j) in word_list("sexes"):
         return Term("label", "quality", i, j)
     return Term("actor", "pedestrian", i, j)
+
+
+_OPENERS = frozenset({"punct", "conj", "sub"})
+
+
+_VERBAL = frozenset({"s", "ed"})
+
+
+def with_articles(terms: list[Term], tokens: list[Token]) -> list[Term]:
+    """``First car stops, second brakes``: the first car, the second."""
+    named = {k for k in range(len(terms)) if _names(terms, k, tokens)}
+    if not named:
+        return terms
+    found: list[Term] = []
+    for k, term in enumerate(terms):
+        word = tokens[term.i].low
+        if k in named and (len(named) > 1 or word != "first"):
+            found += [Term("det", "def", term.i, term.i), Term("label", word, term.i, term.j)]
+        else:
+            found.append(term)
+    return found
+
+
+def _names(terms: list[Term], k: int, tokens: list[Token]) -> bool:
+    """Whether an ordinal that opens a clause stands for a participant."""
+    term = terms[k]
+    if tokens[term.i].low not in POSITIONS or term.j - term.i != 1:
+        return False
+    before, after = term_at(terms, k - 1), term_at(terms, k + 1)
+    if after is None or (before is not None and before.cat not in _OPENERS):
+        return False
+    acts = (after.cat == "verb" and after.form in _VERBAL) or after.cat in {"aux", "copy"}
+    return acts or after.cat == "actor" or after.value in {"(", ","}

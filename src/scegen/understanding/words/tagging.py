@@ -8,11 +8,13 @@ from functools import lru_cache
 from scegen.understanding.lexicon import Entry, word_list
 from scegen.understanding.words.choosing import choose, is_adverb
 from scegen.understanding.words.contexts import retag
-from scegen.understanding.words.labels import named_at, street_name
+from scegen.understanding.words.labels import named_at, street_name, with_articles
 from scegen.understanding.words.numbers import number_at
 from scegen.understanding.words.paces import bare_speed
 from scegen.understanding.words.particles import (
+    GENITIVES,
     after_a_phrase,
+    around_somebody,
     just_right,
     nothing_shed,
     over_a_place,
@@ -95,15 +97,25 @@ def tag(tokens: list[Token]) -> list[Term]:
     """Terms that cover all tokens in order."""
     terms: list[Term] = []
     i = 0
+    tails: dict[int, int] = {}
+    owned = any(token.low in GENITIVES for token in tokens)
     while i < len(tokens):
+        if i in tails:
+            terms.append(Term("inert", "noun", i, tails[i]))
+            i = tails[i]
+            continue
         term = _term_at(tokens, i, _before(terms, tokens))
         if term.value == "crosswalk" and _list_of_doings(terms, tokens, term):
             term = _term_at(tokens[: i + 1], i, _before(terms, tokens))
+        held = around_somebody(tokens, term) if owned else None
+        if held is not None:
+            term, tail, end = held
+            tails[tail] = end
         term = retag(term, terms, tokens)
         terms.append(term)
         i = terms[-1].j
     crossed = _crossings(terms, tokens)
-    return whose_doing(who_drive(crossed, tokens))
+    return whose_doing(who_drive(with_articles(crossed, tokens), tokens))
 
 
 def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:
