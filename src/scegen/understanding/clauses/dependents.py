@@ -26,6 +26,16 @@ def depend(event: Event, parent: Event, link_kind: str) -> None:
     event.modal = event.modal or parent.modal or parent.name in {"cause", "prevent"}
 
 
+def granting(event: Event, state: State) -> Event | None:
+    """``lets a van already turning, which is late, pass``: the bare verb hangs on "lets"."""
+    before = [e for e in state.events if e.control == "object" and isinstance(e.object, Mention)]
+    bare = event.form == "base" and state.between <= {","} and state.waiting is None
+    let = before[-1] if before and bare else None
+    if let is None or state.anchor is let.object:
+        return None
+    return None if any(child.form == "base" for child in let.children) else let
+
+
 def _share_subject(event: Event, other: Event, state: State) -> None:
     """Who does the one does the other, also if they come later ("while making a turn, …")."""
     event.subject = other.subject

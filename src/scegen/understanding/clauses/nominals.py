@@ -8,6 +8,7 @@ from scegen.understanding.clauses.attachment import attach
 from scegen.understanding.clauses.coordination import joins
 from scegen.understanding.clauses.located import place_in_front, side_of_place
 from scegen.understanding.clauses.phrases import (
+    also_from,
     apposed_to,
     bracketed,
     further_ones,
@@ -217,6 +218,8 @@ def read_noun(noun: NounPhrase, state: State) -> None:
         if not side_of_place(noun, state):
             attach(prep, state)
         state.prep = None
+        return
+    if also_from(noun, state):
         return
     verb = state.anchor
     if isinstance(verb, Event) and verb.object is None and not state.between - {"or", "either"}:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention, Word
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Word
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import chunk_at, is_word, predicate_opens
 
@@ -30,6 +30,24 @@ def apposed_to(state: State) -> Mention | None:
     else:
         described = _described_role(state)
     return who if described else None
+
+
+def also_from(noun: NounPhrase, state: State) -> bool:
+    """``from the north and the east``: the preposition counts for both."""
+    last = state.last_prep
+    if last is None or not (isinstance(noun, Place) and noun.kind == "side"):
+        return False
+    aside = noun.possessed and "," in state.between  # "from the left, its rear 20 m ahead of us"
+    joined = state.between & {"and", "or", ","} and isinstance(last.target, Place) and not aside
+    if not joined or last.target is None or last.target.j != noun.i - 1:
+        return False
+    further = Prep(last.word, noun, last.outer, last.on_mention)
+    listed = [e.pps for e in state.events[-1:]] + [m.pps for m in state.mentions]
+    for phrases in listed:
+        if last in phrases:
+            phrases.append(further)
+    state.last_prep = further
+    return True
 
 
 def bracketed(state: State) -> bool:

@@ -8,6 +8,7 @@ from scegen.understanding.clauses.dependents import (
     chain,
     depend,
     gerund,
+    granting,
     infinitive,
     nominal,
 )
@@ -45,6 +46,8 @@ def _link(event: Event, state: State) -> None:
     helped = auxiliary(state)
     if state.awaits("to") and event.form == "base":
         infinitive(event, state)
+    elif (let := granting(event, state)) is not None:
+        infinitive(event, state, let)
     elif state.prep is not None and (
         event.form == "ing"
         or (state.prep.value == "without" and {"aux:can", "aux:have"} & state.between)
