@@ -118,17 +118,36 @@ def _before(chunks: list[Chunk]) -> list[Entity]:
 
 
 def _runs(light: _Light, clauses: list[Clause], context: Context) -> bool:
-    """Finds whose light is red and who goes all the same."""
-    own = [c for c in clauses if c.event.i > light.place.i and not c.event.nominal]
-    own = [c for c in own if any(e in light.whose for e in c.drivers)]
+    """Finds who goes although the light is red: whose it is, or who is said to do so in spite."""
+    at = light.place.i
+    driven = [c for c in clauses if c.drivers and not c.event.nominal]
+    own = [c for c in driven if c.event.i > at and any(e in light.whose for e in c.drivers)]
     if any(c.event.name in _HALTING and not c.event.negated for c in own):
         return False
-    for clause in own:
-        if clause.event.name in (_HALTING if clause.event.negated else _GOING):
-            words = _joined(clause.event, light.place)
-            context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, words, clause.drivers)
-            return True
-    return False
+    found = next((c for c in own if _goes(c)), None)
+    if found is None and not light.whose:
+        found = _in_spite(at, [c for c in driven if _goes(c)], context)
+    if found is not None:
+        words = _joined(found.event, light.place)
+        context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, words, found.drivers)
+    return found is not None
+
+
+def _goes(clause: Clause) -> bool:
+    return clause.event.name in (_HALTING if clause.event.negated else _GOING)
+
+
+def _in_spite(at: int, going: list[Clause], context: Context) -> Clause | None:
+    """``although the light is red, the van enters``, ``… is red. Yet the van enters``."""
+    low = [token.low for token in context.tokens]
+    begins = max((k + 1 for k in range(at) if low[k] in BOUNDARIES), default=0)
+    later = [c for c in going if c.event.i > at]
+    marks = [k for k in range(begins, at) if low[k] in word_list("conceding") - {"in"}]
+    if marks and not any(marks[-1] < c.event.i < at for c in going):
+        fronted = marks[-1] == begins or low[marks[-1] - 1] in {",", "even"}
+        earlier = [c for c in going if begins <= c.event.i < marks[-1]]
+        return next(iter(later if fronted else reversed(earlier)), None)
+    return next((c for c in later if word_list("still") & set(low[at : c.event.i])), None)
 
 
 def _answer(light: _Light, change: Clause, clauses: list[Clause], context: Context) -> None:
