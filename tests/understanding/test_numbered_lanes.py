@@ -16,7 +16,6 @@ def lanes(text):
         ("On a three-lane motorway a van in lane 3 brakes.", {"van_1": [1, 3]}),
         ("The ego drives in the third lane from the right on a motorway.", {"ego": [1]}),
         ("The ego drives in the second lane from the left on a three-lane motorway.", {"ego": [2]}),
-        ("The ego drives in the number two lane behind a van.", {"ego": [2]}),
         ("A truck in lane 4 moves over to the right.", {"truck_1": [1, 4]}),
         ("On a three-lane motorway the ego leaves lane 3 for the middle lane.", {"ego": [1, 3]}),
         (

@@ -95,7 +95,6 @@ def test_who_opens_a_door_stands(text):
     [
         "The ego turns left across oncoming traffic: three cars come at 50 km/h, the ego waits for "
         "a gap.",
-        "The ego turns left and waits for a gap in the oncoming traffic of three cars.",
     ],
 )
 def test_traffic_of_so_many_is_those(text):

@@ -89,7 +89,6 @@ def test_what_the_ego_does(text, expected):
         ("A dog runs out, leaving the ego no time to brake.", {"crossing_animal"}),
         ("The ego approaches a fallen tree that blocks its lane.", {"obstacle"}),
         ("The ego overtakes a bus while an oncoming van does not slow down.", {"overtaking"}),
-        ("The ego meets a truck travelling at a much lower steady speed.", {"slow_driving"}),
         ("The car ahead is going really slow.", {"slow_driving"}),
         ("The car in front of the ego stops just past the crosswalk.", {"stopping"}),
         ("A car coming the other way brakes abruptly as the ego overtakes a bus.",
@@ -158,7 +157,6 @@ def test_a_text_without_articles_is_about_its_first_vehicle():
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("A slow convoy of trucks comes up ahead of the ego.", {"slow_driving"}),
         ("A skateboarder rolls off the kerb in front of the ego.", {"crossing_pedestrian"}),
         ("V2 had slowed down. V1 did not notice and its front struck V2's back.",
          {"delayed_braking"}),

@@ -93,11 +93,6 @@ def test_numbers_above_the_limit_are_speeding():
     assert HazardKind.SPEEDING not in hazards_of("V1 drove at 50 km/h in a 50 km/h zone.")
 
 
-def test_a_turn_as_well_is_the_same_turn():
-    text = "At a crossroads the ego turns right. The van ahead is turning as well and stalls."
-    assert other_of(text).maneuvers == {Maneuver.RIGHT}
-
-
 def test_parts_of_vehicles_are_no_obstacles():
     assert HazardKind.OBSTACLE not in hazards_of("The truck suffered a burst tyre and swerved.")
     assert HazardKind.OBSTACLE in hazards_of("There is a tyre in the ego's lane.")

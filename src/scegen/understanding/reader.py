@@ -37,7 +37,6 @@ from scegen.understanding.phrases.listed import each_of, in_between, list_them
 from scegen.understanding.phrases.naming import counted_in, filmed_from, in_brackets, under_test
 from scegen.understanding.phrases.opening_doors import open_doors
 from scegen.understanding.phrases.repeated import repeat, which_is_it
-from scegen.understanding.phrases.road_turned_into import name_turned_into
 from scegen.understanding.phrases.telegrams import spell_out
 from scegen.understanding.phrases.which_road import name_roads
 from scegen.understanding.reference.discourse import Discourse
@@ -51,9 +50,7 @@ from scegen.understanding.road.surroundings import read_surroundings
 from scegen.understanding.semantics.context import Context
 from scegen.understanding.semantics.rows import say
 from scegen.understanding.semantics.seen import settle_far_sides
-from scegen.understanding.words.angles import read_angles, set_apart
 from scegen.understanding.words.emptiness import without_emptiness
-from scegen.understanding.words.in_file import count_places
 from scegen.understanding.words.language import require_english
 from scegen.understanding.words.sides import settle_sides
 from scegen.understanding.words.tagging import tag
@@ -66,7 +63,6 @@ _PUT_RIGHT: tuple[tuple[set[str], Callable[[list[Chunk], list[Token]], list[Chun
     ({"lane", "lanes", "ramp", "one"}, lanes_meant),
     ({"behind", "between", "by"}, lambda chunks, _: name_hiders(chunks)),
     (set(), name_roads),
-    ({"turn", "sharp_turn"}, name_turned_into),
     ({"which", "whom"}, which_is_it),
     ({"including", "included", "among", "amongst"}, counted_in),
     (set(), filmed_from),
@@ -111,13 +107,12 @@ def read(text: str) -> FunctionalScenario:
         raise InputError(msg, where="description", hint="Describe one situation at a time.")
     tokens = without_emptiness(tokenize(text))
     require_english(tokens, text)
-    terms = whole_bends(set_apart(tag(tokens), read_angles(tokens)), tokens)
+    terms = whole_bends(tag(tokens), tokens)
     require_traffic(terms, tokens)
     junction = read_junction(terms, tokens)
     surroundings = read_surroundings(terms, tokens)
     lengthwise = read_lengthwise(terms)
     terms = settle_sides(terms, surroundings.side)
-    terms = count_places(terms, tokens)
     chunks = Chunker(terms, tokens).run()
     there = {t.low for t in tokens}.union(*((t.cat, t.value) for t in terms))
     for words, put_right in _PUT_RIGHT:

@@ -33,8 +33,6 @@ def read_items(text: Telling) -> None:
             _lie_in_the_way(danger, text)
         elif danger in hiding:
             _hide(danger, text)
-    for danger in [d for d in hiding if d.by]:
-        _also_hide(danger, text)
     number_them(text.found.items)
     placed = {item.basis.i for danger in hiding for item in danger.items}  # where it hides them
     text.draft.notes[:] = [n for n in text.draft.notes if n.i not in placed]
@@ -103,16 +101,6 @@ def _hide(danger: Danger, text: Telling) -> None:
         item = _known(thing, text) or item_of(thing, text)
         item.hides += [e for e in _hidden(thing, danger.basis, text) if e not in item.hides]
         _add(item, danger, text)
-
-
-def _also_hide(danger: Danger, text: Telling) -> None:
-    """``behind a hedge and a parked van``: what hides somebody beside vehicles."""
-    for scene in text.within(*text.bounds(danger.basis.i or 0)):
-        for target in [p.target for p in scene.event.pps if p.value in {"behind", "between", "by"}]:
-            if isinstance(target, Thing) and target.kind == "object" and not _known(target, text):
-                item = item_of(target, text)
-                item.hides = list(scene.actors)
-                _add(item, danger, text)
 
 
 def _things(text: Telling) -> list[Thing]:

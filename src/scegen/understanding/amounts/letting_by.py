@@ -13,12 +13,11 @@ from scegen.understanding.semantics.context import Clause
 _GOES = frozenset({"pass", "cross", "move", "enter", "turn", "walk", "overtake", "merge"})
 _ACROSS = frozenset({Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE})
 _HOLDING = frozenset({"wait", "stop"})
-_GOING = frozenset({"move", "turn", "enter", "accelerate", "leave", "overtake", "cross"})
 
 
 def let_by(clause: Clause, text: Telling) -> list[Entity]:
     """Whom one lets go first: ``gives way to``, ``lets it pass``, ``stops for``."""
-    event, scenes = clause.event, text.scenes
+    event = clause.event
     if event.name == "yield":
         return clause.targets or _coming_across(clause, text)
     if event.lemma == "let":
@@ -33,7 +32,7 @@ def let_by(clause: Clause, text: Telling) -> list[Entity]:
     if awaited:
         return awaited
     if not named and event.name == "wait":
-        return _passing_meanwhile(clause, scenes) or _coming_across(clause, text)
+        return _coming_across(clause, text)
     return [e for mention in named for e in mention.entities if e not in clause.actors]
 
 
@@ -59,17 +58,22 @@ def _until_gone(clause: Clause, text: Telling) -> list[Entity]:
     return [e for e in who.entities if gone and e not in clause.actors and not e.still]
 
 
-def _passing_meanwhile(clause: Clause, scenes: list[Clause]) -> list[Entity]:
-    """``waits until a car has passed``, ``waits, and goes as soon as a car has passed``."""
-    event = clause.event
-    later = [s for s in scenes if s.event.i > event.i and s.event.parent is not event]
-    if later and later[0].actors == clause.actors and later[0].event.name in _GOING:
-        later = [s for s in later[1:] if s.event.sentence == event.sentence]
-    following = later[0] if later and later[0].event.sentence - event.sentence <= 1 else None
-    if following is None or following.event.negated or following.event.name != "pass":
-        return []
-    others = [e for e in following.actors if e not in clause.actors and e.moving_vehicle]
-    return [] if any(t in clause.actors for t in following.targets) else others
+def go_on(text: Telling) -> None:
+    """Those who stop and go on afterwards wait."""
+    kept = text.found.acts
+    for stop in [a for a in kept if a.kind is ActKind.STOP and a.entity.is_vehicle]:
+        later = [a for a in kept if a.entity is stop.entity and a.i > stop.i]
+        same = text.bounds(stop.i)
+        letting = [a for a in later if a.kind is ActKind.GIVE_WAY and text.bounds(a.i) == same]
+        if letting:
+            stop.kind, stop.into, stop.into_basis = ActKind.WAIT, letting[0].into, letting[0].basis
+            kept.remove(letting[0])
+        elif stop.into is not None or any(a.kind is ActKind.TURN for a in later):
+            stop.kind = ActKind.WAIT
+    for act in kept:
+        before = act.when.act if act.when is not None else None
+        if before is not None and (before not in kept or before.kind is ActKind.GIVE_WAY):
+            act.when = None  # that the other goes first says it
 
 
 def _coming_across(clause: Clause, text: Telling) -> list[Entity]:
@@ -90,21 +94,3 @@ def _coming_across(clause: Clause, text: Telling) -> list[Entity]:
     seen = [p.entity for p in text.draft.placements if p.approaches <= _ACROSS and not p.reference]
     seen = [e for e in seen if e.moving_vehicle and e not in clause.actors]
     return seen[:1] if event.name == "yield" else []
-
-
-def go_on(text: Telling) -> None:
-    """Those who stop and go on afterwards wait."""
-    kept = text.found.acts
-    for stop in [a for a in kept if a.kind is ActKind.STOP and a.entity.is_vehicle]:
-        later = [a for a in kept if a.entity is stop.entity and a.i > stop.i]
-        same = text.bounds(stop.i)
-        letting = [a for a in later if a.kind is ActKind.GIVE_WAY and text.bounds(a.i) == same]
-        if letting:
-            stop.kind, stop.into, stop.into_basis = ActKind.WAIT, letting[0].into, letting[0].basis
-            kept.remove(letting[0])
-        elif stop.into is not None or any(a.kind is ActKind.TURN for a in later):
-            stop.kind = ActKind.WAIT
-    for act in kept:
-        before = act.when.act if act.when is not None else None
-        if before is not None and (before not in kept or before.kind is ActKind.GIVE_WAY):
-            act.when = None  # that the other goes first says it

@@ -76,7 +76,7 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
         if out and any(p.word is word and p.on_mention is None for p in scene.event.pps):
             subject = scene.actors or subject  # "steps out from behind a van 20 m ahead of the ego"
     pronoun = isinstance(noun, Mention) and noun.pronoun is not None
-    named = _by_a_pronoun(named, subject, figure) if pronoun else named
+    named = [] if pronoun and named == subject else named  # "and the ego, 15 m behind it"
     pairs = [m.entities for m in before if len(m.entities) == _PAIR]
     if figure.words_around.opens("between_two") and pairs:
         return pairs[-1][0], pairs[-1][1]
@@ -112,21 +112,6 @@ def before_they_meet(figure: Figure) -> list[Entity] | None:
     if meets is None or not (meets.targets or meets.event.name == "approach"):
         return None
     return list(dict.fromkeys([*meets.actors, *meets.targets, *figure.actors]))
-
-
-def _by_a_pronoun(named: list[Entity], subject: list[Entity], figure: Figure) -> list[Entity]:
-    """``and the ego, 15 m behind it``: not behind itself.
-
-    In "the van ahead changes lanes, the ego stops 2 m behind it" it is behind the one that stands.
-    """
-    text, placed = figure.text, figure.text.context.placed
-    if named == subject:
-        return []
-    left = all(Maneuver.LANE_CHANGE in e.maneuvers and placed(e, Approach.AHEAD) for e in named)
-    if not left or text.ego not in subject or figure.does not in {"stop", "brake"}:
-        return named
-    still = [e for e in text.draft.entities if e.stands and not (e.parked or e.ego or e in named)]
-    return still if len(still) == 1 else named
 
 
 def _bracketed(figure: Figure) -> Entity | None:

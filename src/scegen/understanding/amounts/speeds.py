@@ -129,19 +129,6 @@ def _without_speed(figure: Figure) -> list[Entity]:
     return [e for e in reversed(named) if e.speed is None and not e.still][:1]
 
 
-def _hand_on(entity: Entity, figure: Figure) -> None:
-    """``overtakes a tractor at 25 km/h; the ego drives 70 km/h``: the first was the tractor's."""
-    basis, text = entity.speed_basis, figure.text
-    if basis is None or basis.i is None:
-        return  # nobody said it
-    start, i = text.bounds(basis.i)[0], basis.i
-    named = [m.entities for m in text.mentions if start <= m.i < i][-1:]
-    others = [e for e in named[0] if e is not entity] if named and len(named[0]) == 1 else []
-    for other in (e for e in others if e.speed is None and not e.still):
-        other.speed, other.speed_basis = entity.speed, basis
-        entity.speed = entity.speed_basis = None
-
-
 def relative(figure: Figure) -> bool:
     """``20 km/h slower than the ego``: from the speed of the other."""
     text, by = figure.text, figure.quantity.exact
@@ -223,23 +210,6 @@ def _before_any_verb(figure: Figure, who: Mention) -> bool:
     return all(isinstance(c, Word) and (c.cat in _BESIDES or c.value == ",") for c in between)
 
 
-def _opens_with(figure: Figure) -> list[Entity]:
-    """``At about 100 km/h, the ego is overtaken by a van``: of whom the sentence is about.
-
-    So it is in "60 km/h is the speed of both".
-    """
-    text, start = figure.text, figure.start
-    before = [c for c in text.chunks if start <= c.i < figure.i]
-    who = next((m for m in text.mentions if start <= m.i < figure.end), None)
-    if who is None or not all(isinstance(c, Word) for c in before):
-        return []
-    named = text.low(figure.j, who.i).split()
-    if named[:1] == ["is"] and named[-1:] == ["of"] and set(named) & word_list("rates"):
-        return list(who.entities)
-    told = before and who.prep is None and not who.possessor and not text.within(start, who.i)
-    return list(who.entities) if told else []
-
-
 def _by_clause(figure: Figure) -> list[tuple[Entity, Quantity]]:
     """The noun's, or of who acts.
 
@@ -268,3 +238,33 @@ def _has_another(figure: Figure, who: Mention) -> bool:
 
 def _is_speed(term: Term) -> bool:
     return (term.cat, term.value) == ("quantity", "speed")
+
+
+def _opens_with(figure: Figure) -> list[Entity]:
+    """``At about 100 km/h, the ego is overtaken by a van``: of whom the sentence is about.
+
+    So it is in "60 km/h is the speed of both".
+    """
+    text, start = figure.text, figure.start
+    before = [c for c in text.chunks if start <= c.i < figure.i]
+    who = next((m for m in text.mentions if start <= m.i < figure.end), None)
+    if who is None or not all(isinstance(c, Word) for c in before):
+        return []
+    named = text.low(figure.j, who.i).split()
+    if named[:1] == ["is"] and named[-1:] == ["of"] and set(named) & word_list("rates"):
+        return list(who.entities)
+    told = before and who.prep is None and not who.possessor and not text.within(start, who.i)
+    return list(who.entities) if told else []
+
+
+def _hand_on(entity: Entity, figure: Figure) -> None:
+    """``overtakes a tractor at 25 km/h; the ego drives 70 km/h``: the first was the tractor's."""
+    basis, text = entity.speed_basis, figure.text
+    if basis is None or basis.i is None:
+        return  # nobody said it
+    start, i = text.bounds(basis.i)[0], basis.i
+    named = [m.entities for m in text.mentions if start <= m.i < i][-1:]
+    others = [e for e in named[0] if e is not entity] if named and len(named[0]) == 1 else []
+    for other in (e for e in others if e.speed is None and not e.still):
+        other.speed, other.speed_basis = entity.speed, basis
+        entity.speed = entity.speed_basis = None

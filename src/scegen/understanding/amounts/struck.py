@@ -21,7 +21,6 @@ _BODY = frozenset({"side", "front", "flank"})
 _PARTS = {side.value: side for side in BodySide}
 _ENDS = frozenset({BodySide.FRONT, BodySide.REAR})
 _SIDES = frozenset({"left", "right"})
-_REACH = 7
 _ROADS = frozenset({"road", "lane", "highway"})
 
 

@@ -67,9 +67,6 @@ class Layout:
         self.proofs.add("junction.arms", arms_basis)
         self.proofs.add("junction.control", self.reading.control_basis, "no control is named")
         self._dark_lights(control)
-        angles = self.reading.angles_deg if len(self.reading.angles_deg) == arms else ()
-        if angles:
-            self.proofs.add("junction.arm_angles_deg", self.reading.angles_basis)
         lanes, ring, lanes_basis = lanes_of_road(self.draft, self.around, self.along, kind, arms)
         self.proofs.add(
             "junction.lanes", lanes_basis, "one lane per direction unless more are said"
@@ -88,13 +85,12 @@ class Layout:
         return Junction(
             carriageway=carriageway,
             strips=strips,
-            bend=self._bend(kind, angles),
+            bend=self._bend(kind),
             auxiliary=auxiliary,
             auxiliary_length_m=self._auxiliary_length_m(auxiliary),
             crosswalks=self._crosswalks(kind, auxiliary),
             kind=kind,
             arms=arms,
-            arm_angles_deg=angles,
             lanes=lanes,
             ring_lanes=ring,
             driving_side=self.around.side or DrivingSide.RIGHT,
@@ -189,11 +185,11 @@ class Layout:
         self.proofs.add("junction.crosswalks", basis)
         return frozenset({0})
 
-    def _bend(self, kind: JunctionKind, angles: tuple[float, ...]) -> Bend | None:
+    def _bend(self, kind: JunctionKind) -> Bend | None:
         if self.along.bend is None:
             return None
         bend, basis = self.along.bend
-        if kind is not JunctionKind.STRAIGHT or angles:
+        if kind is not JunctionKind.STRAIGHT:
             self.draft.note_at(basis, AT_JUNCTIONS)
             return None
         self.proofs.add("junction.bend", basis)

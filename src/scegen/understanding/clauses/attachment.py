@@ -63,18 +63,18 @@ def _counts_lanes(prep: Prep, before: Prep | None) -> bool:
     )
 
 
-def _before(prep: Prep, state: State) -> Prep | None:
-    """The phrase before; ``behind or beside it`` are both of the same one."""
+def _shared(prep: Prep, state: State) -> None:
+    """``behind or beside it``: both are of the same one."""
     last = state.last_prep
     both = last is not None and last.word.cat == prep.word.cat == "locus"
     if both and last is not None and "or" in state.between and prep.word.i - last.word.j == 1:
         last.target = last.target or prep.target
-    return last
 
 
 def attach(prep: Prep, state: State) -> None:
     """Gives a phrase to who follows it, the noun right before it, the verb, or who acts."""
-    before, state.last_prep = _before(prep, state), prep
+    _shared(prep, state)
+    before, state.last_prep = state.last_prep, prep
     cause = prep.value == "due" and not state.events and state.candidate is None
     if prep.fronted or cause:  # "because of a parked van the ego does not see the child"
         _of_the_one_listed(prep, state)

@@ -27,7 +27,7 @@ from scegen.understanding.phrases.lookahead import (
 from scegen.understanding.words.terms import Term
 
 _OPENERS = frozenset({"conj", "sub", "punct"})
-LANES = frozenset({"lane", "bike_lane", "shoulder", "sidewalk", "side", "bus_stop"})
+_LANES = frozenset({"lane", "bike_lane", "shoulder", "sidewalk", "side", "bus_stop"})
 
 
 class ClauseReader:
@@ -67,7 +67,7 @@ class ClauseReader:
         elif word.cat in GOVERNING or only_a_noun_follows(word, state.k, self._chunks):
             preposition(word, state)
         elif word.cat in ADVERBS or word.cat == "state":
-            if not (self._denied_way(word) or self._heading_of_a_noun(word)):
+            if not self._denied_way(word):
                 self._adverb(word)
         elif state.prep is not None and (word.value == "either" or self._opens_noun(word)):
             return  # "from either the left or the right", "without the two touching"
@@ -123,7 +123,7 @@ class ClauseReader:
         """``the next lane, where a van drives``: the van is in that lane."""
         places = [c for c in self._state.before(2) if isinstance(c, Place)]
         for place in places[-1:]:
-            if place.kind in LANES:
+            if place.kind in _LANES:
                 word = Word(Term("prep", "in", place.i, place.i + 1))
                 self._state.fronted.append(Prep(word, place, fronted=True))
 
@@ -175,15 +175,6 @@ class ClauseReader:
             state.between.discard("neg:not")
             state.events[-1].denied_ways.add(word.value)
         return denied
-
-    def _heading_of_a_noun(self, word: Word) -> bool:
-        """``it is red for the van opposite``."""
-        noun = self._state.at(-1)
-        if (word.cat, word.value) == ("dir", "opposite") and isinstance(noun, Mention):
-            release(self._state)
-            noun.mods.append(word.term)
-            return True
-        return False
 
     def _clause_start(self) -> bool:
         """The candidate is new: words after it belong to it and not to the verb before."""

@@ -8,8 +8,6 @@ from scegen.understanding.clauses.located import is_it
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import is_word, sentence_end
 
-_ONES = frozenset({"brake", "hard_brake", "swerve", "lane_change", "overtake"})
-"""What one does who comes up to others."""
 _SHAPES = {"base": "inf", "ing": "ing"}
 """What a verb is without an auxiliary, by its form; any other is finite."""
 
@@ -30,6 +28,10 @@ def told_beside(state: State, *words: str) -> Mention | None:
     since = state.events[-1].i if state.events else 0
     named = (m for m in state.mentions if m.i > since)
     return next((m for m in named if m.stands_after(*words)), None)
+
+
+_ONES = frozenset({"brake", "hard_brake", "swerve", "lane_change", "overtake"})
+"""What one does who comes up to others."""
 
 
 def coordinate(event: Event, state: State) -> None:

@@ -14,8 +14,6 @@ from scegen.understanding.phrases.lookahead import (
     value_at,
 )
 
-_LEAVING = frozenset({"turn", "sharp_turn", "u_turn", "leave", "cross", "cut_in", "dash"})
-
 
 def landmark(target: NounPhrase | Event | None) -> NounPhrase | Event | None:
     """``behind the ego's rear bumper``: behind the ego, as far as others are concerned."""
@@ -58,13 +56,6 @@ def own_lane(event: Event, prep: Prep) -> bool:
     lane = prep.names("lane") and prep.value == "in"
     ego = any(e.ego for e in event.doers)
     return lane and ego and event.name in {"follow", "tailgate"} and not event.passive
-
-
-def from_the_wrong_lane(prep: Prep, event: Event | None) -> bool:
-    """``turns right from the wrong lane``: one that is not for turning, no oncoming one."""
-    place = prep.place
-    wrong = place is not None and place.head is not None and "dir" in place.head.data
-    return wrong and prep.value == "from" and event is not None and event.name in _LEAVING
 
 
 _BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing, Word
 from scegen.understanding.clauses import relatives
 from scegen.understanding.clauses.attachment import attach
 from scegen.understanding.clauses.coordination import joins
@@ -17,9 +17,8 @@ from scegen.understanding.clauses.phrases import (
 )
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.doings_named import DONE_TO
-from scegen.understanding.phrases.lookahead import finite_follows, is_word, value_at
+from scegen.understanding.phrases.lookahead import finite_follows, is_word
 
-_SMALL = frozenset({"prep", "manner"})
 _REACH = 3
 _PARTS = frozenset({"side", "flank"})
 _OWNED = frozenset({"side", "flank", "lane", "path", "right_of_way"})
@@ -29,7 +28,7 @@ _TURNS = frozenset({"turn", "u_turn"})
 
 def read_mention(mention: Mention, state: State) -> None:
     """A participant: as the subject, an object, an apposition, or in a phrase of place."""
-    if _emphasises(mention, state) or _measured_aside(mention, state):
+    if _emphasises(mention, state):
         return
     state.mentions.append(mention)
     within = state.awaits("of")
@@ -80,19 +79,6 @@ def _resume(part: Mention, state: State) -> None:
     state.candidate = state.anchor = before
     state.candidate_done = any(before in e.subject for e in state.events)
     state.between = set()
-
-
-def _measured_aside(mention: Mention, state: State) -> bool:
-    """``a van beside the ego, both at 60 km/h, moves over``: put in, of those named before."""
-    if mention.pronoun not in {"both", "all"}:
-        return False
-    rest = state.after(5)
-    after: list[Chunk] = [
-        c for c in rest if not (isinstance(c, Thing) or getattr(c, "cat", "") in _SMALL)
-    ]
-    measured = bool(after) and getattr(after[0], "cat", "") == "quantity"
-    waits = state.waiting is not None and "," in state.between
-    return waits and measured and value_at(after, 1) == ","
 
 
 def _takes(verb: Event, state: State) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, teller_at
+from scegen.understanding.chunks import Event, Mention, Place, teller_at
 from scegen.understanding.clauses.coordination import auxiliary, coordinate, no_jam, told_beside
 from scegen.understanding.clauses.dependents import (
     chain,
@@ -62,8 +62,6 @@ def _link(event: Event, state: State) -> None:
     parent = event.parent
     if parent is not None and parent.control == "object" and event.form == "base":
         event.finite = event.finite and helped  # "lets them cross": no clause of its own
-    if _blocked(event, state):
-        return
     be = "aux:be" in state.between
     if event.form == "base" and be and event.name in PASSIVE and not state.awaits("to"):
         event.form = "ed"  # "is cut off", "was hit": the participle looks like the base form
@@ -98,17 +96,6 @@ def _said_of_a_thing(event: Event, state: State) -> None:
         its = [teller_at(topic.i)] if topic.has("possessive", "first_person") else its
         # "the front of the van struck …", "its front struck …", "my bumper runs into …"
         event.subject = [topic.owner] if topic.owner is not None else its
-
-
-def _blocked(event: Event, state: State) -> bool:
-    """``finds its lane blocked by a van``: the place suffers it, not the finder."""
-    anchor = state.anchor
-    if event.form != "ed" or event.name not in PASSIVE or state.between:
-        return False
-    if isinstance(anchor, Mention) or not isinstance(anchor, NounPhrase):
-        return False
-    event.passive, event.object = True, anchor
-    return True
 
 
 def _clause(event: Event, state: State) -> None:

@@ -6,7 +6,7 @@ from dataclasses import replace
 from itertools import combinations
 
 from scegen.scenario.vocabulary import Approach
-from scegen.understanding.chunks import Chunk, Event, Mention, Word
+from scegen.understanding.chunks import Chunk, Event, Mention
 from scegen.understanding.clauses.dependents import chain
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis, Entity
@@ -21,10 +21,10 @@ _ORDERS = {"row": Approach.AHEAD, "abreast": Approach.ADJACENT}
 
 def line_up(chunks: list[Chunk], events: list[Event], draft: Draft) -> None:
     """``three cars in a row``, ``two vans drive one behind the other``."""
-    for chunk, following in zip(chunks, [*chunks[1:], None], strict=True):
+    for chunk in chunks:
         if isinstance(chunk, Mention):
             members = [e for m in chain(chunk) for e in m.entities]
-            _behind_each_other([*chunk.mods, *_ranked(chunk, following)], members, draft)
+            _behind_each_other(chunk.mods, members, draft)
     for event in events:
         _behind_each_other(event.mods, event.doers, draft)
     _queue_of_the_numbered(chunks, events, draft)
@@ -61,16 +61,6 @@ def _behind_each_other(mods: list[Term], entities: list[Entity], draft: Draft) -
         drivers.reverse()  # "V1 and V2 in line; V2 brakes": whoever follows has to answer
     for leader, follower in combinations(drivers, 2):
         draft.place(leader, follower, {_ORDERS[said.value]}, Basis(said.i, said.j))
-
-
-def _ranked(mention: Mention, following: Chunk | None) -> list[Term]:
-    """``the last of three cars``, ``three cars …, the ego is the last``: they are in a row."""
-    told = mention.ranked is not None or any("ranked" in e.named_by for e in mention.entities)
-    if not (told and mention.plural):
-        return []
-    if isinstance(following, Word) and following.value == "row":
-        return [following.term]
-    return [Term("manner", "row", mention.i, mention.j)]
 
 
 def _gathered(mods: list[Term], draft: Draft) -> Term | None:

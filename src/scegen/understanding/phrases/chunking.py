@@ -7,7 +7,6 @@ from itertools import pairwise
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.phrases.lanes_meant import count_lanes
 from scegen.understanding.phrases.naming import Namer
 from scegen.understanding.phrases.nominal import (
     OPENERS,
@@ -48,8 +47,7 @@ class Chunker:
         k = 0
         while k < len(self._terms):
             k = self._chunk_at(k)
-        chunks = between_lanes(with_particles(self._chunks, self._tokens), self._tokens)
-        return count_lanes(chunks, self._tokens)
+        return between_lanes(with_particles(self._chunks, self._tokens), self._tokens)
 
     def _add(self, chunk: Chunk, k: int) -> int:
         """Takes a chunk that ends before term ``k``."""

@@ -16,7 +16,6 @@ _JOINTS = frozenset({("from", "to"), ("from", "into"), ("in", "and")})
 _OF_A_LANE = 3
 """Phrases: the side, "of", the lane."""
 MOVING = frozenset({"move", "swerve", "try", "dash", "enter", "cross", "sharp_turn", "pull_out"})
-_BESIDE = _SIDES | {"opposite"}
 
 
 def lanes_meant(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
@@ -113,51 +112,3 @@ def _whole(k: int, chunks: list[Chunk]) -> Place | None:
     """``of two lanes``: the lanes of which it is one."""
     lanes = chunk_at(chunks, k + 2) if value_at(chunks, k + 1) == "of" else None
     return lanes if isinstance(lanes, Place) and lanes.kind == "lane" else None
-
-
-def count_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
-    """The chunks with lanes that are counted off ("two lanes over") as places."""
-    if not any(isinstance(c, Place) and c.kind == "lane" for c in chunks):
-        return chunks
-    found: list[Chunk] = []
-    skipped: set[int] = set()
-    for k, chunk in enumerate(chunks):
-        if k in skipped:
-            continue
-        before, after = chunk_at(found, len(found) - 1), chunk_at(chunks, k + 1)
-        over = isinstance(after, Word) and tokens[after.i].low in word_list("lanes_away_over")
-        side = _side_after(chunks, k)
-        away = over or side is not None
-        if not away or not isinstance(chunk, Place) or not _counted(chunk, to_a_side=not over):
-            found.append(chunk)
-            continue
-        if isinstance(before, Event) and before.name in MOVING and not before.nominal:
-            before.name = "lane_change"  # "moves two lanes over"
-            found.append(chunk)
-            continue
-        if over:
-            skipped.add(k + 1)
-        changed = isinstance(before, Event) and before.name == "lane_change"
-        if changed or (before is not None and before.cat == "prep"):
-            found.append(chunk)
-            continue
-        if side is not None:
-            chunk.mods, chunk.j = [*chunk.mods, *side.ways], side.j
-            skipped |= {k + 1, k + 2}
-        chunk.mods = [*chunk.mods, Term("dir", "adjacent", chunk.i, chunk.j)]
-        found += [Word(Term("prep", "in", chunk.i, chunk.i)), chunk]
-    return found
-
-
-def _counted(place: Place, *, to_a_side: bool) -> bool:
-    """``two lanes over``, ``a lane over``, ``one lane to the left``."""
-    opened = bool(place.mods) and place.mods[0].cat in {"num", "det"}
-    return place.kind == "lane" and opened and (place.has("num") or not to_a_side)
-
-
-def _side_after(chunks: list[Chunk], k: int) -> Place | None:
-    """``two lanes to the left``, ``the one on the right``."""
-    side = chunk_at(chunks, k + 2)
-    if value_at(chunks, k + 1) not in {"to", "in"} or not isinstance(side, Place):
-        return None
-    return side if side.kind == "side" and _BESIDE & set(side.dirs) else None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lanes_meant import MOVING
 from scegen.understanding.phrases.lookahead import BOUNDARIES, GOVERNING, cat_at, chunk_at, value_at
@@ -14,8 +14,6 @@ from scegen.understanding.words.tokens import Token
 _SIDED = frozenset({"side", "direction"})
 _SIDES = frozenset({"left", "right", "opposite"})
 _CROSSED = frozenset({"crosswalk", "road", "junction"})
-_STILL = frozenset({"parked", "stationary", "stop", "park"})
-_SAID_OF_IT = 4
 _WHICH = frozenset({"which", "whom"})
 _ROADS, _OUT_OF = frozenset({"access", "road", "leg"}), frozenset({"of", "from"})
 _COME_FROM = frozenset({"lane", "leg", "road", "access", "side"})
@@ -27,7 +25,6 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     Returns:
         The chunks, "there" replaced by "in" and the lane that it stands for.
     """
-    chunks = _obstacles(chunks)
     if not any(token.low in word_list("back_again") for token in tokens):
         return chunks
     last: dict[str, Place] = {}
@@ -86,33 +83,6 @@ def which_is_it(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         place = chunk if isinstance(chunk, Place) else None if chunk is known else place
         found.append(chunk)
     return found
-
-
-def _obstacles(chunks: list[Chunk]) -> list[Chunk]:
-    """``a stationary car … the obstacle``: the car, if no thing lies there."""
-    found: list[Chunk] = []
-    stands: Mention | None = None
-    for k, chunk in enumerate(chunks):
-        if isinstance(chunk, Thing) and chunk.lies_there:
-            thing = chunk.head.data.get("thing") if chunk.head is not None else None
-            if stands is None or not chunk.has("det", "def") or thing != "obstacle":
-                return chunks
-            again = Mention(chunk.i, chunk.j, chunk.mods, stands.head, heads=stands.heads)
-            again.same_as = stands
-            found.append(again)
-            continue
-        found.append(chunk)
-        if isinstance(chunk, Mention) and chunk.heads and not chunk.is_ego:
-            stands = chunk if _stands(chunk, chunks[k + 1 : k + _SAID_OF_IT]) else stands
-    return found
-
-
-def _stands(who: Mention, after: list[Chunk]) -> bool:
-    """``a stationary car``, ``a car is at a standstill``, ``a car stands``."""
-    verb = next((c for c in after if c.cat != "aux"), None)
-    still = isinstance(verb, Event) and verb.name in {"stop", "park", "wait", "locate"}
-    still = still or (verb is not None and verb.cat == "state")
-    return still or any(m.cat in {"state", "verb"} and m.value in _STILL for m in who.mods)
 
 
 def _remember(chunk: Place, last: dict[str, Place], tokens: list[Token]) -> None:

@@ -45,12 +45,8 @@ def _after_headings(chunks: list[Chunk]) -> list[Chunk]:
     dropped: set[int] = set()
     for begin, k in _headings(chunks):
         title = chunks[begin:k]
-        if _plays(chunks, k):
+        if _plays(chunks, k) or _adds_nothing(title, chunks, k):
             dropped.add(k)
-        elif _adds_nothing(title, chunks, k):
-            dropped.add(k)
-            if isinstance(title[0], Word) and title[0].cat == "dir":
-                _describe(title[0].term, chunks, k)
     return [c for k, c in enumerate(chunks) if k not in dropped]
 
 
@@ -156,15 +152,6 @@ def _adds_nothing(title: list[Chunk], chunks: list[Chunk], k: int) -> bool:
     way = following is not None and (following.cat, following.value) in _WAYS
     named = isinstance(first, Mention) and not any(isinstance(c, Event) for c in title)
     return way and named
-
-
-def _describe(term: Term, chunks: list[Chunk], k: int) -> None:
-    """``Oncoming: a van and a bus``: both are."""
-    for chunk in chunks[k + 1 :]:
-        if ends(chunk) or isinstance(chunk, Event):
-            return
-        if isinstance(chunk, Mention) and chunk.heads and not chunk.is_ego:
-            chunk.mods = [*chunk.mods, term]
 
 
 def _named_doing(event: Event, chunks: list[Chunk], k: int) -> bool:

@@ -24,8 +24,6 @@ _AGAIN = (
     frozenset({"cut_in", "lane_change", "merge", "return"}),
 )
 """What a second clause may tell of another time, so that its subject is the same."""
-_OFF_THE_ROAD = frozenset({"access", "parking", "road", "junction"})
-_SIGNS = frozenset({"signal", "stop_sign", "yield_sign"})
 _ALONG = frozenset({"behind", "ahead", "adjacent", "opposite"})
 
 
@@ -80,7 +78,6 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     springs = afoot and event.lemma in word_list("springing")  # "a boy bursts out of a gap"
     only = event.name in ONLY_VEHICLES and not (across or springs)
     alone = event.drives or only or _takes_a_turn(event)
-    alone = alone or _breaks_a_rule(event) or any("pace" in m.data for m in event.mods)
     vague = mention.head is not None and "vague" in mention.head.data
     turns = vague or event.name in {"turn", "sharp_turn"}
     turns = turns and any(d.value in {"left", "right"} for d in event.dirs)
@@ -126,14 +123,6 @@ def _sides(pps: list[Prep]) -> frozenset[str]:
     places = [p.place for p in pps if p.value in {"from", "in"} and p.place is not None]
     named = [p for p in places if p.owner is None or p.owner.is_ego]
     return frozenset(d for p in named for d in p.dirs if d in {"left", "right", "opposite"})
-
-
-def _breaks_a_rule(event: Event) -> bool:
-    """``runs the light``, ``blows through a stop sign``."""
-    places = [event.object, *(p.target for p in event.pps if p.value == "in")]
-    signs = [p for p in places if isinstance(p, Place) and p.kind in _SIGNS]
-    for_drivers = [p for p in signs if p.head is None or "walk" not in p.head.data]  # no red man
-    return event.name in {"breach", "dash", "walk"} and bool(for_drivers)
 
 
 def _chases(events: list[Event]) -> None:
@@ -199,18 +188,6 @@ def _along(mention: Mention) -> bool:
     return False
 
 
-def _in_traffic(event: Event) -> bool:
-    """``the man coming the other way``, ``she turns into her drive``: only drivers do so."""
-    if event.name == "move":
-        return any(d.value == "opposite" for d in event.dirs)
-    goals: list[object] = [p.target for p in event.pps if p.value in {"into", "in"}]
-    if event.name == "enter" and event.lemma in word_list("steering"):
-        goals.append(event.object)
-    goes_in = any(isinstance(g, Place) and g.kind in _OFF_THE_ROAD for g in goals)
-    goes_in = goes_in and event.name in {"turn", "sharp_turn", "pull_over", "enter"}
-    return goes_in and not event.nominal
-
-
 def _aside(chunks: list[Chunk], events: list[Event]) -> None:
     """``officers said …``, ``she said I was …``, ``two people were hurt``: they take no part."""
     named = [c for c in chunks if isinstance(c, Mention)]
@@ -236,3 +213,18 @@ def _takes_a_turn(event: Event) -> bool:
     """``makes a left``: who says so means a driver."""
     target = event.object
     return event.name == "light" and isinstance(target, Place) and target.kind == "side"
+
+
+_OFF_THE_ROAD = frozenset({"access", "parking", "road", "junction"})
+
+
+def _in_traffic(event: Event) -> bool:
+    """``the man coming the other way``, ``she turns into her drive``: only drivers do so."""
+    if event.name == "move":
+        return any(d.value == "opposite" for d in event.dirs)
+    goals: list[object] = [p.target for p in event.pps if p.value in {"into", "in"}]
+    if event.name == "enter" and event.lemma in word_list("steering"):
+        goals.append(event.object)
+    goes_in = any(isinstance(g, Place) and g.kind in _OFF_THE_ROAD for g in goals)
+    goes_in = goes_in and event.name in {"turn", "sharp_turn", "pull_over", "enter"}
+    return goes_in and not event.nominal

@@ -76,6 +76,17 @@ def _fits(mention: Mention, prep: Word, tokens: list[Token]) -> bool:
     return prep.value == "for" and not known and bool(no_room or before & word_list("wide"))
 
 
+_OWED = frozenset({"yield", "stop", "brake", "slow", "wait", "turn", "move", "u_turn", "obey",
+                   "inert", "leave", "swerve", "lane_change", "accelerate",
+                   "reverse"})  # fmt: skip
+"""What is told of everybody when nobody does it."""
+
+
+_HIDING = frozenset({"hide", "block"})
+"""What is not done if nothing does it; it is told of nobody in particular."""
+_NONE = frozenset({"nobody", "everybody"})
+
+
 def _only_the_scene(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
     """``Stop-and-go traffic on a ring road; the car ahead …``: where it all takes place."""
     opens = k == 0 or getattr(chunks[k - 1], "value", "") in BOUNDARIES
@@ -88,17 +99,6 @@ def _only_the_scene(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
             after = [c for c in chunks if c.i > chunk.i and isinstance(c, Mention) and c.heads]
             return any(not c.is_ego for c in after)
     return False
-
-
-_OWED = frozenset({"yield", "stop", "brake", "slow", "wait", "turn", "move", "u_turn", "obey",
-                   "inert", "leave", "swerve", "lane_change", "accelerate",
-                   "reverse"})  # fmt: skip
-"""What is told of everybody when nobody does it."""
-
-
-_HIDING = frozenset({"hide", "block"})
-"""What is not done if nothing does it; it is told of nobody in particular."""
-_NONE = frozenset({"nobody", "everybody"})
 
 
 def deny_of_everybody(events: list[Event]) -> None:

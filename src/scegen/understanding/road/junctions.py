@@ -13,7 +13,6 @@ from scegen.understanding.lexicon import word_list
 from scegen.understanding.road.dark_lights import flashing, out_of_order
 from scegen.understanding.words import absent
 from scegen.understanding.words.absent import named_by_letter, only_counted
-from scegen.understanding.words.angles import kind_of
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -38,8 +37,6 @@ class JunctionReading:
         dark: the words that say that lights do not work.
         named: some word for a junction occurs, even if not its shape.
         straight: the words for a straight road.
-        angles_deg: directions of the arms, rising.
-        angles_basis: the words for them.
         road: the first word for a road.
         highway: that word is one for a road with several lanes each way.
     """
@@ -55,8 +52,6 @@ class JunctionReading:
     road: Basis | None = None
     straight: Basis | None = None
     highway: bool = False
-    angles_deg: tuple[float, ...] = ()
-    angles_basis: Basis | None = None
 
     @property
     def crossing(self) -> bool:
@@ -83,9 +78,6 @@ def read_junction(terms: list[Term], tokens: list[Token]) -> JunctionReading:
             _set_kind(reading, JunctionKind.SKEWED, Basis(term.i, term.j), override=True)
         elif term.cat == "control" and not absent.negated(terms, k):
             said.setdefault(Control(term.value), Basis(term.i, term.j))
-        elif term.cat == "angles":
-            reading.angles_deg = term.data["degrees"]
-            reading.angles_basis = Basis(term.i, term.j)
         elif term.cat in {"num", "quant"}:
             _counted_arms(reading, terms, k)
     lines = [
@@ -96,7 +88,6 @@ def read_junction(terms: list[Term], tokens: list[Token]) -> JunctionReading:
         reason = "a stop line without lights is one of a stop sign"
         said[Control.STOP] = Basis(lines[0].i, lines[0].j, reason)
     _regulate(reading, said)
-    _shaped_by_angles(reading)
     _reconcile(reading, tokens)
     return reading
 
@@ -234,17 +225,6 @@ def _counted_arms(reading: JunctionReading, terms: list[Term], k: int) -> None:
         reason = f"several exits without a number are read as {_ASSUMED_EXITS}"
         reading.arms, reading.arms_basis = _ASSUMED_EXITS, basis.because(reason)
     reading.named = reading.named or basis
-
-
-def _shaped_by_angles(reading: JunctionReading) -> None:
-    """Listed directions say how many arms there are, and the shape unless it is named."""
-    if not reading.angles_deg:
-        return
-    if reading.arms is None:
-        reading.arms, reading.arms_basis = len(reading.angles_deg), reading.angles_basis
-    if reading.kind in {None, JunctionKind.FOUR_WAY}:
-        reading.kind, reading.kind_basis = kind_of(reading.angles_deg), reading.angles_basis
-    reading.named = reading.named or reading.angles_basis
 
 
 def _reconcile(reading: JunctionReading, tokens: list[Token]) -> None:

@@ -46,8 +46,6 @@ def _about_traffic(term: Term, tokens: list[Token]) -> bool:
         return term.value not in ANIMALS and not words & (
             word_list("relevance_first_person") | word_list("people")
         )
-    if "pace" in term.data:
-        return True
     if term.cat == "verb":
         road = {t.low for t in tokens[term.i : term.j]} & word_list("roads")  # "runs into the road"
         return term.value in _DRIVING or bool(road) or tokens[term.i].forms[-1][0] == "drive"

@@ -82,7 +82,7 @@ def _measured(found: Surroundings, terms: list[Term], k: int, tokens: list[Token
     """Limits, sight, friction, how large lanes are; whether a term says one."""
     term, basis = terms[k], Basis(terms[k].i, terms[k].j)
     role = role_of(terms, k, tokens)
-    if role == "limit" or _after_a_pace(terms[max(0, k - 3) : k]):
+    if role == "limit":
         _limit(found, terms, k, tokens)
     elif role in _CONDITIONS:
         _conditions(found, terms, k, role)
@@ -94,18 +94,13 @@ def _measured(found: Surroundings, terms: list[Term], k: int, tokens: list[Token
     return True
 
 
-def _after_a_pace(before: list[Term]) -> bool:
-    """``doing 60 in a 30``: what is allowed there."""
-    return [t.cat for t in before[1:]] == ["prep", "det"] and "pace" in before[0].data
-
-
 def _limit(found: Surroundings, terms: list[Term], k: int, tokens: list[Token]) -> None:
     """``a limit of 70 km/h``; ``a 30 zone`` in the unit of the other speeds, else km/h."""
     number, value = terms[k], value_of(terms, k).high
     if "speed_limit_mps" in found.road:
         return
     around = terms[max(0, k - _LIMIT_REACH) : k + _LIMIT_REACH]
-    near = [t for t in around if t.cat == "limit" or "pace" in t.data]
+    near = [t for t in around if t.cat == "limit"]
     span = sorted([number, *near[-1:]], key=lambda t: t.i)
     reason = None
     if number.cat == "num":

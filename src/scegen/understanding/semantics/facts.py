@@ -11,7 +11,6 @@ from scegen.understanding.semantics import lanes, met, seen, ways
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.met import goal_of_contact
 from scegen.understanding.semantics.rewriting import passes_round
-from scegen.understanding.semantics.ways import alike
 
 Test: TypeAlias = Callable[[Clause, Context], bool]
 _SCREENED = 12
@@ -99,7 +98,6 @@ FACTS: dict[str, Test] = {
     "people_act": lambda clause, _: any(
         h.value == "pedestrian" for m in clause.event.subject for h in m.heads
     ),
-    "as_others_do": lambda clause, c: bool(alike(clause, c)),
     "rests_there": _rests_there,
     "braked_before": lambda clause, _: any(
         e.brakes_from is not None and e.brakes_from < clause.event.i for e in clause.actors

@@ -8,7 +8,6 @@ from typing import TypeAlias
 
 from scegen.scenario.vocabulary import Approach, ParticipantKind
 from scegen.understanding.chunks import Mention, NounPhrase, Place, Prep
-from scegen.understanding.clauses.located import from_the_wrong_lane
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
@@ -221,8 +220,8 @@ SEEN: dict[str, Put] = {
     "ramp": _by_a_ramp,
     "headed": _headed,
     "crossing_to": _crossing_to,
-    "far_side": _far_side,
     "abreast": _abreast,
+    "far_side": _far_side,
     "either_side": _either_side,
     "apart": _apart,
     "egos_lane": _in_the_egos_lane,
@@ -251,9 +250,6 @@ def _is_offset(phrase: Prep, clause: Clause, context: Context) -> bool:
 
 FACTS = {
     "within_the_lane": _within_the_lane,
-    "wrong_lane": lambda clause, _: any(
-        from_the_wrong_lane(p, clause.event) for p in clause.event.pps
-    ),
     "own_heading": lambda clause, _: any(m.cat == "compass" for m in clause.event.mods),
     "several": lambda clause, _: len(clause.actors) > 1,
 }

@@ -133,7 +133,6 @@ _EXITS = {
     "first": Maneuver.EXIT_1, "second": Maneuver.EXIT_2, "third": Maneuver.EXIT_3,
     "fourth": Maneuver.EXIT_4, "fifth": Maneuver.EXIT_5, "sixth": Maneuver.EXIT_6,
 }  # fmt: skip
-_REACH = 3
 
 
 def _ways(clause: Clause, context: Context) -> dict[Maneuver, Basis]:
@@ -142,17 +141,6 @@ def _ways(clause: Clause, context: Context) -> dict[Maneuver, Basis]:
 
 def _aside(clause: Clause, context: Context) -> dict[Maneuver, Basis]:
     return {m: b for m, b in _ways(clause, context).items() if m is not Maneuver.STRAIGHT}
-
-
-def alike(clause: Clause, context: Context) -> dict[Maneuver, Basis]:
-    """``the car ahead, which is turning as well``: the same way as the one before."""
-    event = clause.event
-    near = context.lows(event.i - _REACH, event.j + _REACH)
-    if not {"too", "also", "likewise"} & set(near) and "as well" not in " ".join(near):
-        return {}
-    turned = [e.maneuvers & SIDEWAYS for e in context.draft.entities if e not in clause.actors]
-    told = [way for way in turned if len(way) == 1]
-    return dict.fromkeys(told[-1], clause.words) if told else {}
 
 
 def _either(clause: Clause, _: Context) -> dict[Maneuver, Basis]:
@@ -170,7 +158,6 @@ def _exit(clause: Clause, _: Context) -> dict[Maneuver, Basis]:
 VALUES: dict[str, Named] = {
     "ways": _ways,
     "aside": _aside,
-    "alike": alike,
     "either": _either,
     "exit": _exit,
 }

@@ -6,12 +6,11 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any
 
-from scegen.understanding.lexicon import load_contexts, word_list
-from scegen.understanding.words.numbers import number_at
+from scegen.understanding.lexicon import load_contexts
 from scegen.understanding.words.paces import doing
 from scegen.understanding.words.quantities import quantity_at
-from scegen.understanding.words.terms import Term, begins, longest_match, term_at
-from scegen.understanding.words.tokens import Token, low_at
+from scegen.understanding.words.terms import Term, longest_match, term_at
+from scegen.understanding.words.tokens import Token
 
 _SOON = 6
 """So many words count as near."""
@@ -168,8 +167,6 @@ def in_context(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     return term
 
 
-_OF_A_NOUN = ("verb", "place", "actor", "dir", "locus", "noted", "thing", "leg", "view")
-_ARTICLES = frozenset({"det", "possessive"})
 _MOST_LANES = 6
 """More lanes than that are no lanes that one tells apart."""
 
@@ -181,12 +178,27 @@ def retag(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
     """
     if term.cat == "punct":
         return term
-    term = _number_of_a_lane(in_context(term, terms, tokens), terms, tokens)
-    if _names_a_turn(term, terms, tokens):
-        term = replace(term, cat="verb", value="turn", form="base", data={"way": term.value})
+    term = in_context(term, terms, tokens)
+    term = _of_so_many(term, terms, tokens)
     if _speed(term) and doing(tokens, term.i):
         _as_motion(terms, tokens)
     return term
+
+
+def _of_so_many(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
+    """``the middle lane of three``: the lane, with how many; ``a jam of six cars``: the six."""
+    lane, of = terms[-2:] if len(terms) > 1 else (term, term)
+    if (of.value, term.cat) == ("of", "num") and not {"mass", "stands"}.isdisjoint(lane.data):
+        goes = any(t.base in {"crawl", "move", "slow"} for t in tokens[term.j : term.j + 4])
+        said = ("state", "stationary") if "stands" in lane.data and not goes else ("inert", "noun")
+        start = -3 if len(terms) > 2 and terms[-3].cat in {"det", "possessive"} else -2
+        terms[start:] = [Term(*said, terms[start].i, of.j)]
+        return term
+    counted = (lane.cat, lane.value, of.value, term.cat) == ("place", "lane", "of", "num")
+    if not counted or not 1 < term.data["number"] <= _MOST_LANES:
+        return term
+    del terms[-2:]
+    return replace(lane, j=term.j, data={**lane.data, "count": int(term.data["number"])})
 
 
 def _as_motion(terms: list[Term], tokens: list[Token]) -> None:
@@ -200,56 +212,3 @@ def _speed(term: Term) -> bool:
     """Whether a term says how fast: "50 mph", "40 in a 30", or a bare number after "doing"."""
     paced = term.cat == "manner" and term.value in {"fast", "slow"}
     return paced or term.cat in {"quantity", "num"}
-
-
-def _names_a_turn(term: Term, terms: list[Term], tokens: list[Token]) -> bool:
-    """Whether a bare side is a turn."""
-    if term.cat != "dir" or term.value not in {"left", "right"} or not terms:
-        return False
-    of = low_at(tokens, term.j) in {"of", "side", "hand", "one"}
-    if of or begins(tokens, term.j, *_OF_A_NOUN):
-        return False  # the side of something
-    k = len(terms) - 1
-    if terms[k].value == "unprotected" or tokens[terms[k].i].low in {"protected", "permitted"}:
-        return True
-    while k > 0 and (terms[k].cat == "manner" or tokens[terms[k].i].low.endswith("ed")):
-        k -= 1
-    if terms[k].cat not in _ARTICLES or k == 0:
-        return False
-    before = tokens[terms[k - 1].j - 1]
-    own = terms[k].cat == "possessive" and before.low != "to"
-    own = own or tokens[terms[k].i].low in {"a", "an", "another"}
-    if before.low in word_list("during"):
-        return own or not (before.low == "after" or before.low in word_list("into"))
-    return own and before.base in word_list("beginning")
-
-
-def _number_of_a_lane(term: Term, terms: list[Term], tokens: list[Token]) -> Term:
-    """The term as the number of, or in, the lane that is named beside it.
-
-    The number one lane is the one at the centre line.
-    """
-    if term.cat not in {"label", "place", "num"}:
-        return term
-    two_lane = term.cat == "label" and tokens[term.j - 1].low == "lane"
-    number = number_at(tokens, term.i) if two_lane else None
-    if number is not None and terms and _numbers(terms[-1], tokens):
-        opening = terms.pop()  # "number two lane": no two-lane road
-        data = {"ranked": True, "number": int(number.value)}
-        return Term("place", "lane", opening.i, term.j, data=data)
-    opening, told = terms[-2:] if len(terms) > 1 else (term, term)
-    numbered = told.cat == "num" and 1 <= told.data["number"] <= _MOST_LANES
-    if (term.cat, term.value) == ("place", "lane") and numbered and _numbers(opening, tokens):
-        del terms[-2:]
-        data = {**term.data, "ranked": True, "number": int(told.data["number"])}
-        return replace(term, i=opening.i, data=data)
-    lane, of = opening, told
-    counted = (lane.cat, lane.value, of.value, term.cat) == ("place", "lane", "of", "num")
-    if counted and 1 < term.data["number"] <= _MOST_LANES:
-        del terms[-2:]  # "the middle lane of three"
-        return replace(lane, j=term.j, data={**lane.data, "count": int(term.data["number"])})
-    return term
-
-
-def _numbers(term: Term, tokens: list[Token]) -> bool:
-    return tokens[term.i].low in word_list("numbering")

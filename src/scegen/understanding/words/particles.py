@@ -78,6 +78,11 @@ def over_a_place(tokens: list[Token], match: Match) -> bool:
     return match.get("verb").value in {"collide", "lose_control"} and begins(tokens, j, "place")
 
 
+def suffix_form(token: Token) -> str | None:
+    """The inflection that the ending of an unknown word shows."""
+    return next((ending for ending in ("ing", "ed", "s") if token.low.endswith(ending)), None)
+
+
 def after_a_phrase(token: Token, previous: Term, tokens: list[Token]) -> bool:
     """``a bus from the left asserts its priority``, ``the car ahead overshoots the line``.
 
@@ -101,12 +106,9 @@ def after_a_phrase(token: Token, previous: Term, tokens: list[Token]) -> bool:
     return sided or (previous.cat in {"place", "locus", "compass"} and governs)
 
 
-def suffix_form(token: Token) -> str | None:
-    """The inflection that the ending of an unknown word shows."""
-    return next((ending for ending in ("ing", "ed", "s") if token.low.endswith(ending)), None)
-
-
 _FARTHEST = 8
+
+
 GENITIVES = frozenset({"'s", "'"})
 
 

@@ -7,11 +7,10 @@ from functools import lru_cache
 
 from scegen.understanding.lexicon import Entry, word_list
 from scegen.understanding.words.choosing import choose, is_adverb
-from scegen.understanding.words.collectives import gather
 from scegen.understanding.words.contexts import retag
-from scegen.understanding.words.labels import name_letters, named_at, street_name, with_articles
+from scegen.understanding.words.labels import named_at, street_name, with_articles
 from scegen.understanding.words.numbers import number_at
-from scegen.understanding.words.paces import bare_speed, pace_at, speed_at
+from scegen.understanding.words.paces import bare_speed
 from scegen.understanding.words.particles import (
     GENITIVES,
     after_a_phrase,
@@ -115,8 +114,8 @@ def tag(tokens: list[Token]) -> list[Term]:
         term = retag(term, terms, tokens)
         terms.append(term)
         i = terms[-1].j
-    crossed = _crossings(gather(terms, tokens), tokens)
-    return whose_doing(who_drive(with_articles(name_letters(crossed, tokens), tokens), tokens))
+    crossed = _crossings(terms, tokens)
+    return whose_doing(who_drive(with_articles(crossed, tokens), tokens))
 
 
 def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:
@@ -248,9 +247,6 @@ def _measured_or_named(tokens: list[Token], i: int, previous: Term | None) -> Te
         return named
     if just_right(tokens, i, previous):
         return Term("manner", "mild", i, i + 1)
-    pace = pace_at(tokens, i) or speed_at(tokens, i)
-    if pace is not None:
-        return pace
     quantity = quantity_at(tokens, i) or bare_speed(tokens, i)
     if quantity:
         return Term("quantity", quantity.dimension, i, quantity.j, data={"quantity": quantity})
