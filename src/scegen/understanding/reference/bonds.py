@@ -77,7 +77,7 @@ def bonds_of(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> B
         and (e.finite or not (id(m) in objects or m.prep is not None))
     }  # "meets a van blocking the lane", "waits for a van to pass": not about the van
     found = Bonds(
-        subjects=subjects | there,
+        subjects=(subjects | there) - _in_reasons(chunks, tokens),
         settled=_settled(events),
         everywhere=sides_of(events, chunks),
         again=same_again(mentions, events, tokens),
@@ -197,6 +197,26 @@ def _of_another(event: Event, found: Bonds) -> None:
         end = part.opening == "into" and bool({"front", "rear"} & set(part.dirs))
         if end or (event.name == "collide" and part.opening != "of"):
             found.unlike[id(part.owner)] += event.subject
+
+
+def _in_reasons(chunks: list[Chunk], tokens: list[Token]) -> set[int]:
+    """``the ego waits because a van comes, so it is late``: "it" is not who the reason is about.
+
+    Nor is it in "because a van comes, it waits".
+    """
+    found: set[int] = set()
+    here: list[int] = []
+    opened = False
+    for k, (before, chunk) in enumerate(pairwise(chunks)):
+        reason = isinstance(before, Word) and (before.cat, before.value) == ("sub", "because")
+        if isinstance(before, Word) and before.value in BOUNDARIES:
+            here, opened = [], False
+        elif reason and tokens[before.i].low != "so":
+            here.append(id(chunk))
+            opened = opened or k == 0 or chunks[k - 1].value in BOUNDARIES
+        elif isinstance(chunk, Mention) and chunk.pronoun == "it" and (reason or opened):
+            found |= {*here}
+    return found
 
 
 def _said_to_be_there(chunks: list[Chunk]) -> set[int]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.nouns_ahead import noun_follows
@@ -74,10 +75,66 @@ def _aged(tokens: list[Token], i: int) -> Term | None:
     return Term("actor", "pedestrian", i, j)
 
 
+_LETTER = re.compile(r"^[A-HJ-SU-XZ]$")
+"""Not I, who tells it, and not the shapes of junctions."""
+_NAMED = frozenset({"actor", "place", "thing", "inert", "shape", "leg", "limit"})
+_JOINTS = frozenset({"and", "or", ","})
+_PHRASE_ENDS = frozenset({"aux", "copy", "neg", "prep", "conj", "punct", "locus", "rel"})
 _OPENERS = frozenset({"punct", "conj", "sub"})
 
 
 _VERBAL = frozenset({"s", "ed"})
+
+
+def name_letters(terms: list[Term], tokens: list[Token]) -> list[Term]:
+    """``three cars: A turns, B follows A``: each letter is one of them.
+
+    A letter counts where its neighbour in the alphabet stands for somebody, too; in talk ("A: What
+    happened? B: I braked.") it only tells who speaks, and is left out.
+    """
+    if not word_list("first_person").isdisjoint(t.low for t in tokens):
+        told = {
+            k for k, t in enumerate(terms) if _is_letter(t, tokens) and low_at(tokens, t.j) == ":"
+        }
+        terms = [t for k, t in enumerate(terms) if told.isdisjoint({k, k - 1})]
+    letters = {
+        k: tokens[t.i].text
+        for k, t in enumerate(terms)
+        if _is_letter(t, tokens) and (t.value != "indef" or _stands_alone(terms, k))
+    }
+    if not letters:
+        return terms
+    used = set(letters.values())
+    found = list(terms)
+    for k, letter in letters.items():
+        named = {chr(ord(letter) - 1), chr(ord(letter) + 1)} & used
+        if named and not _belongs(terms, k, tokens):
+            data = {"label": f"#{letter.lower()}"}
+            found[k] = replace(terms[k], cat="actor", value="car", form="base", data=data)
+    return found
+
+
+def _is_letter(term: Term, tokens: list[Token]) -> bool:
+    if term.cat != "unknown" and (term.cat, term.value) != ("det", "indef"):
+        return False
+    return term.j - term.i == 1 and bool(_LETTER.match(tokens[term.i].text))
+
+
+def _stands_alone(terms: list[Term], k: int) -> bool:
+    """Whether "A" is no article: a verb or the end of the phrase comes after it."""
+    after = term_at(terms, k + 1)
+    if after is None or after.cat in _PHRASE_ENDS:
+        return True
+    verb = term_at(terms, k + 2) if after.cat == "manner" else after
+    return verb is not None and (verb.cat, verb.form, verb.premod) == ("verb", "s", False)
+
+
+def _belongs(terms: list[Term], k: int, tokens: list[Token]) -> bool:
+    """``car A``, ``roads A and B``: a name after a noun."""
+    m = k - 1
+    while m > 0 and terms[m].value in _JOINTS and _is_letter(terms[m - 1], tokens):
+        m -= 2
+    return m >= 0 and terms[m].cat in _NAMED
 
 
 def with_articles(terms: list[Term], tokens: list[Token]) -> list[Term]:

@@ -8,7 +8,7 @@ from functools import lru_cache
 from scegen.understanding.lexicon import Entry, word_list
 from scegen.understanding.words.choosing import choose, is_adverb
 from scegen.understanding.words.contexts import retag
-from scegen.understanding.words.labels import named_at, street_name, with_articles
+from scegen.understanding.words.labels import name_letters, named_at, street_name, with_articles
 from scegen.understanding.words.numbers import number_at
 from scegen.understanding.words.paces import bare_speed
 from scegen.understanding.words.particles import (
@@ -115,7 +115,7 @@ def tag(tokens: list[Token]) -> list[Term]:
         terms.append(term)
         i = terms[-1].j
     crossed = _crossings(terms, tokens)
-    return whose_doing(who_drive(with_articles(crossed, tokens), tokens))
+    return whose_doing(who_drive(with_articles(name_letters(crossed, tokens), tokens), tokens))
 
 
 def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:
