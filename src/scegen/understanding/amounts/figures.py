@@ -17,7 +17,6 @@ from scegen.understanding.words.quantities import Quantity
 
 _MEASURES = {measure.value.rpartition("_")[0]: measure for measure in Measure}
 NO_RULE = "a measure that no rule could attach; left out"
-_PARENTHESIS = 2
 _SKIPPED = frozenset({"aux", "manner", "unknown", "possessive", "(", ":"})
 _OWNS = (["'s"], ["'"], ["("])
 """``the ego's 60 km/h``, ``a van (45 km/h)``."""
@@ -61,8 +60,8 @@ class Figure(Clause):
         return Amount(self.quantity.exact, Basis(self.i, self.j))
 
     def trigger(self, kind: str, **rest: Any) -> Trigger:  # noqa: ANN401 - fields of a trigger
-        """What sets an act off by this number."""
-        return Trigger(kind, self.amount.basis, self.amount, **rest)
+        """What sets an act off by this number, wherever it is reached ("has fallen below 20 m")."""
+        return Trigger(kind, self.amount.basis, self.exactly, **rest)
 
     def note(self, instead: str | None = None) -> None:
         """Reports that no field holds it."""
@@ -120,7 +119,7 @@ class Figure(Clause):
         if not opened:
             return None
         begin, tokens = opened[-1].i, self.text.tokens
-        if sum(t.low == "," for t in tokens[begin:i]) not in {0, _PARENTHESIS}:
+        if sum(t.low == "," for t in tokens[begin:i]) % 2:
             return None  # "when the ego, at 40 km/h, is 20 m away"
         ends = (k for k in range(i, stop) if tokens[k].low == ",")
         return begin, next(ends, stop), self.text.low(begin, opened[-1].j).strip()

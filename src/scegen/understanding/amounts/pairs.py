@@ -139,10 +139,11 @@ def _bracketed(figure: Figure) -> Entity | None:
     return first
 
 
-def tell_order(figure: Figure, one: Entity, other: Entity) -> None:
+def tell_order(figure: Figure, measure: Measure, one: Entity, other: Entity) -> None:
     """``15 m behind``: who is said to be there, if no place of the two is said.
 
     Who changes lanes "15 m ahead" comes there by that; "15 m before a van" it goes from behind.
+    Of "ego and target at 50 km/h, gap 12 m" the target is ahead.
     """
     way = {" behind ": Approach.BEHIND, " ahead ": Approach.AHEAD, " in front ": Approach.AHEAD}
     way |= {} if other.ego else {" before ": Approach.BEHIND}
@@ -150,8 +151,18 @@ def tell_order(figure: Figure, one: Entity, other: Entity) -> None:
     vehicles = one.is_vehicle and other.is_vehicle and not (one.parked or other.parked)
     comes = {Maneuver.LANE_CHANGE} if figure.led_by != "before" else set()
     sideways = {Maneuver.CROSS, *comes} & (one.maneuvers | other.maneuvers)
+    draft, basis = figure.text.draft, figure.amount.basis
     if said is not None and vehicles and not sideways and not figure.text.stand(one, other):
-        figure.text.draft.place(one, other, {said}, figure.amount.basis)
+        draft.place(one, other, {said}, basis)
+    two = [e for e in (one, other) if not e.ego]
+    if measure not in LENGTHWISE or len(two) != 1 or not two[0].is_vehicle:
+        return
+    entity = two[0]
+    placed = any(entity in (p.entity, p.reference) or p.entity.ego for p in draft.placements)
+    beside = bool(entity.maneuvers & {Maneuver.LANE_CHANGE, Maneuver.CROSS})
+    if not (placed or figure.text.context.meeting or beside or entity.parked or entity.heading):
+        reason = "a gap along the road is one to who is ahead"
+        draft.place(entity, None, {Approach.AHEAD}, basis.because(reason))
 
 
 _ANSWERING = frozenset({ActKind.BRAKE, ActKind.STOP, ActKind.CHANGE_LANE})

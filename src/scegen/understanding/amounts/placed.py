@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.scenario.acts import ActKind
-from scegen.scenario.spacings import LENGTHWISE, Measure
+from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts import aside
 from scegen.understanding.amounts.figures import Figure
@@ -129,8 +129,7 @@ def _between(
         text.found.spacings[:] = [
             s for s in text.found.spacings if s.measure is not measure or s.entity is not entity
         ]  # "with full overlap (100 %)"
-    tell_order(figure, one, other)
-    _in_file(figure, measure, entity, reference, amount)
+    tell_order(figure, measure, one, other)
     return Apart(measure, entity, reference, amount, at, side, since(text, at, one, other))
 
 
@@ -148,19 +147,6 @@ def to_a_thing(figure: Figure) -> bool:
         return False  # "20 m ahead of the ego a cyclist swerves around a pothole"
     text.found.spacings.append(Apart(Measure.GAP_M, nearest, text.ego, _with_place(figure)))
     return True
-
-
-def _in_file(figure: Figure, measure: Measure, one: Entity, other: Entity, amount: Amount) -> None:
-    """``ego and target at 50 km/h, gap 12 m``: the other is ahead, if no place is said."""
-    two = [e for e in (one, other) if not e.ego]
-    if measure not in LENGTHWISE or len(two) != 1 or not two[0].is_vehicle:
-        return
-    entity, draft = two[0], figure.text.draft
-    placed = any(entity in (p.entity, p.reference) or p.entity.ego for p in draft.placements)
-    sideways = bool(entity.maneuvers & {Maneuver.LANE_CHANGE, Maneuver.CROSS})
-    if not (placed or figure.text.context.meeting or sideways or entity.parked or entity.heading):
-        reason = "a gap along the road is one to who is ahead"
-        draft.place(entity, None, {Approach.AHEAD}, amount.basis.because(reason))
 
 
 def _with_place(figure: Figure) -> Amount:

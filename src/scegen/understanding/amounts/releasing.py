@@ -69,7 +69,7 @@ def _comes_down(figure: Figure, doing: Doing, subject: Entity, line: Place | Non
         subject, other = meeting[0], next(iter(meeting[1:]), None)
     if other is None or other is subject:
         return False
-    tell_order(figure, subject, other)
+    tell_order(figure, figure.measure, subject, other)
     if figure.measure is not Measure.GAP_M:
         subject, other = text.in_file(subject, other)
     doing.when = figure.trigger("measure", measure=figure.measure, entity=subject, reference=other)

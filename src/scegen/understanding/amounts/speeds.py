@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from scegen.scenario.acts import ActKind
+from dataclasses import replace
+
+from scegen.scenario.acts import SLOWING, ActKind
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
@@ -143,20 +145,33 @@ def _hand_on(entity: Entity, figure: Figure) -> None:
 
 
 def relative(figure: Figure) -> bool:
-    """``20 km/h slower than the ego``: from the speed of the other."""
+    """``20 km/h slower than the ego``, ``closing speed 30 km/h``: from the speed of the other.
+
+    Without "faster" or "slower", who is behind comes up so fast to who is in front.
+    """
     text, by = figure.text, figure.quantity.exact
     word = text.low(figure.j, figure.j + 1).strip()
-    who = next((e for e in (*figure.actors, *figure.subject) if e.speed is None), None)
-    if who is None:
+    told = word in word_list("faster_than") | word_list("slower_than")
+    anybody = text.draft.entities if not told else []
+    named = (e for e in (*figure.actors, *figure.subject, *anybody) if e.moving_vehicle)
+    who = next((e for e in named if e.speed is None), None)
+    meets = figure.does == "collide" and bool(text.acts(0, len(text.tokens), SLOWING))
+    if who is None or (meets and not told):  # "hits it at a closing speed of …": after braking
         return False
     than = [e for e in text.spoken_of(figure.j + 1, text.bounds(figure.j)[1]) if e is not who]
-    other = than[0] if than else text.counterpart(who, text.spoken_of(0, figure.i))
+    other = than[0] if told and than else text.counterpart(who, text.spoken_of(0, figure.i))
     if other is None or other.speed is None:
         return False
-    sign = 1 if word in word_list("faster_than") else -1
-    low, high = sorted((other.speed.low + sign * by.low, other.speed.high + sign * by.high))
+    faster = word in word_list("faster_than") if told else text.in_file(who, other)[0] is who
+    sign, own = 1 if faster else -1, other.speed
+    if not told and text.context.oncoming(who if other.ego else other):
+        own, sign = Interval(low=-own.high, high=-own.low), 1  # both together come so near
+    low, high = sorted((own.low + sign * by.low, own.high + sign * by.high))
+    if low < 0:
+        return False
     who.speed = Interval(low=low, high=high)
-    who.speed_basis = figure.amount.basis.because("measured from the speed of the other")
+    basis = Basis(figure.i, figure.j + told, figure.quantity.note)
+    who.speed_basis = basis.because("measured from the speed of the other")
     return True
 
 
@@ -169,7 +184,20 @@ def whose(figure: Figure) -> list[tuple[Entity, Quantity]]:
     """Those whose speed it is, with what it is of each of them; none where nothing tells."""
     near = _for_whom(figure) or figure.named_before(_outside(figure))
     near = near or _of_the_noun(figure) or _opens_with(figure)
-    return [(entity, figure.quantity) for entity in near] or _by_clause(figure)
+    found = [(entity, figure.quantity) for entity in near] or _by_clause(figure)
+    return _one_each([e for e, _ in found], figure) or found
+
+
+def _one_each(whom: list[Entity], figure: Figure) -> list[tuple[Entity, Quantity]]:
+    """``ego and van drive at 50 and 70 km/h``: as many speeds as participants, in order."""
+    parts, words = figure.quantity.parts, figure.text.low(figure.i, figure.j)
+    last = next((m for m in reversed(figure.text.mentions) if m.j <= figure.i), None)
+    if last is not None and last.joined is not None and whom == last.entities:
+        whom = [*last.joined.entities, *whom]
+    if len(parts) != len(whom) or " and " not in words or words.startswith(" between "):
+        return []
+    one = replace(figure.quantity, note=None)
+    return [(e, replace(one, value=p)) for e, p in zip(whom, parts, strict=True)]
 
 
 def _for_whom(figure: Figure) -> list[Entity]:

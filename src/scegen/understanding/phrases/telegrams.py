@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word, teller_at
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, teller_at
 from scegen.understanding.phrases.doings_named import spell_out_doings
 from scegen.understanding.phrases.lookahead import GOVERNING, cat_at, chunk_at, ends, value_at
 from scegen.understanding.words.terms import Term
@@ -30,8 +30,8 @@ def spell_out(chunks: list[Chunk]) -> list[Chunk]:
         chunks = _after_headings(_from_titles(chunks))
     chunks = _told_by_nobody(spell_out_doings(chunks))
     for k, chunk in enumerate(chunks):
-        if isinstance(chunk, Event) and _named_doing(chunk, chunks, k):
-            chunk.nominal = True
+        if isinstance(chunk, Event):
+            chunk.nominal = chunk.nominal or _named_doing(chunk, chunks, k)
     found: list[Chunk] = []
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Place) and chunk.kind == "exit" and _clause_opener(chunks, k):
@@ -168,10 +168,11 @@ def _describe(term: Term, chunks: list[Chunk], k: int) -> None:
 
 
 def _named_doing(event: Event, chunks: list[Chunk], k: int) -> bool:
-    """``Cut-in from the left``, ``Cut-in, ego 100 km/h``: a doing, not yet with who does it."""
+    """``Cut-in from the left``, ``Cut-in test: ego 100 km/h``: a doing, as yet of nobody."""
     bare = event.form == "base" and event.name in _NAMED
     placed = cat_at(chunks, k + 1) in {"prep", "locus", "manner"}
-    listed = value_at(chunks, k + 1) in {",", ":"}  # "Cut-in, ego 100 km/h, target …"
+    after = k + 1 + isinstance(chunk_at(chunks, k + 1), Thing)  # "scenario"
+    listed = value_at(chunks, after) in {",", ":", "."}  # "Cut-in, ego 100 km/h, target …"
     return bare and (placed or listed) and ends(chunk_at(chunks, k - 1))
 
 
