@@ -59,9 +59,22 @@ class Figure(Clause):
         """The number itself, without what "up to" or "about" make of it."""
         return Amount(self.quantity.exact, Basis(self.i, self.j))
 
+    @property
+    def placed(self) -> Amount:
+        """Its value, also with the words of place after it: "15 m in front of"."""
+        amount, noun = self.amount, self.noun
+        if self.after is None:
+            return amount
+        end = self.after[0].j
+        if isinstance(noun, Mention) and noun.possessor:
+            end = noun.j + 2
+        if isinstance(noun, Place) and noun.kind == "side":
+            end = noun.j
+        return Amount(amount.value, Basis(self.i, min(end, self.end), amount.basis.reason))
+
     def trigger(self, kind: str, **rest: Any) -> Trigger:  # noqa: ANN401 - fields of a trigger
         """What sets an act off by this number, wherever it is reached ("has fallen below 20 m")."""
-        return Trigger(kind, self.amount.basis, self.exactly, **rest)
+        return Trigger(kind, self.placed.basis, self.exactly, **rest)
 
     def note(self, instead: str | None = None) -> None:
         """Reports that no field holds it."""
@@ -171,7 +184,8 @@ class Figure(Clause):
 
     def placed_by(self, landmark: Mention) -> Mention:
         """``car in front of the ego: 80 km/h``: the noun that is placed by another, else that."""
-        placed = (m for m in self.text.mentions if any(p.target is landmark for p in m.pps))
+        before = (m for m in self.text.mentions if m.i < landmark.i)
+        placed = (m for m in before if any(p.target is landmark for p in m.pps))
         return next(placed, landmark) if landmark.is_landmark else landmark
 
     @cached_property

@@ -193,17 +193,21 @@ def moment(figure: Figure, measure: Measure, one: Entity, other: Entity) -> Doin
         or [a for a in acts if _in_trigger(a, figure)]
         or _revealed_by(figure, one, other)
         or _of_its_doer(figure, acts)
-        or [a for a in _opens_with(figure, acts) if a.kind in _INTO]
+        or [a for a in _opens_with(figure, acts) if _goes_in(a)]
     )
     if into:
         return into[0]  # "when it has passed it moves in 15 m ahead of the ego"
     here = [a for a in acts if any(start <= i < figure.i for i in a.places)]
-    pulls_out = [a for a in here if a.kind is ActKind.SET_OFF and a.entity.pulls_out]
-    here_into = [a for a in here if a.kind in _INTO] + pulls_out
+    here_into = [a for a in here if _goes_in(a)]
     if not here_into:  # "brakes at a TTC of 3 s", "brakes with 6 m/s² 20 m ahead of the ego"
         then = [a for a in here if told & a.places] or _opens_with(figure, acts)
         here_into = [a for a in then if measure is Measure.TTC_S or a.kind in CHANGING]
     return here_into[-1] if here_into else _until_it_brakes(text, one, other, acts)
+
+
+def _goes_in(doing: Doing) -> bool:
+    """Whether one comes where the other drives: a gap is one as it begins to."""
+    return doing.kind in _INTO or (doing.kind is ActKind.SET_OFF and doing.entity.pulls_out)
 
 
 def _until_it_brakes(text: Telling, one: Entity, other: Entity, acts: list[Doing]) -> Doing | str:

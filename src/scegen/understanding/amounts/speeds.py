@@ -257,13 +257,16 @@ def _opens_with(figure: Figure) -> list[Entity]:
     """
     text, start = figure.text, figure.start
     before = [c for c in text.chunks if start <= c.i < figure.i]
-    who = next((m for m in text.mentions if start <= m.i < figure.end), None)
+    fronted = {id(p.target) for m in text.mentions for p in m.pps if p.fronted}  # "behind a bus"
+    free = (m for m in text.mentions if id(m) not in fronted)
+    who = next((m for m in free if start <= m.i < figure.end), None)
     if who is None or not all(isinstance(c, Word) for c in before):
         return []
     named = text.low(figure.j, who.i).split()
     if named[:1] == ["is"] and named[-1:] == ["of"] and set(named) & word_list("rates"):
         return list(who.entities)
-    told = before and who.prep is None and not who.possessor and not text.within(start, who.i)
+    acts = [c for c in text.within(start, who.i) if not c.event.embedded]
+    told = before and who.prep is None and not who.possessor and not acts
     return list(who.entities) if told else []
 
 

@@ -25,7 +25,7 @@ _UNDERGONE = frozenset({"park", "hide", "block", "collide", "locate", "follow", 
 
 def spell_out(chunks: list[Chunk]) -> list[Chunk]:
     """The chunks with what telegraphic style leaves out."""
-    chunks = _in_lanes(chunks)
+    chunks = _in_lanes([c for k, c in enumerate(chunks) if not _before_its_side(chunks, k)])
     if any(chunk.value == ":" for chunk in chunks):
         chunks = _after_headings(_from_titles(chunks))
     chunks = _told_by_nobody(spell_out_doings(chunks))
@@ -38,6 +38,15 @@ def spell_out(chunks: list[Chunk]) -> list[Chunk]:
             found.append(Event("leave", chunk.i, chunk.i, "s"))  # "ego 3rd exit"
         found.append(_going(chunks, k) or chunk)
     return found
+
+
+def _before_its_side(chunks: list[Chunk], k: int) -> bool:
+    """``50 % overlap, left``, ``offset 0.4 m, right``: a comma between a measure and its side."""
+    measure, side = chunk_at(chunks, k - 1), value_at(chunks, k + 1)
+    told = {measure.value, *(m.value for m in getattr(measure, "mods", []))} if measure else set()
+    bare = ends(chunk_at(chunks, k + 2)) or value_at(chunks, k + 2) == ","
+    is_comma = chunks[k].value == "," and side in {"left", "right"}
+    return is_comma and bare and not told.isdisjoint({"percentage", "length"})
 
 
 def _after_headings(chunks: list[Chunk]) -> list[Chunk]:

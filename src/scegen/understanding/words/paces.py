@@ -90,6 +90,7 @@ def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
     told = (
         doing(tokens, i)
         or low_at(tokens, i - 1) in word_list("at_a_speed")
+        or (low_at(tokens, i - 1) == "to" and low_at(tokens, i - 2) in word_list("comes_to"))
         or _its_speed(tokens, i)
         or _likewise(tokens, i, j)
     )
