@@ -246,11 +246,11 @@ class Figure(Clause):
     def after(self) -> tuple[Word, NounPhrase | None] | None:
         """A phrase of place right after it: "ahead of the ego", "from the junction"."""
         chunks = self.text.chunks
-        k = next((k for k, c in enumerate(chunks) if c.i >= self.j), len(chunks))
+        j = self.words_around.resumes
+        k = next((k for k, c in enumerate(chunks) if c.i >= j), len(chunks))
         tokens = self.text.tokens
         while k < len(chunks) and tokens[chunks[k].i].low in {"(", ")", "remaining"}:
             k += 1  # "26.7 m (1.6 s) behind a car"
-        k += self._shared(k)
         word = chunks[k] if k < len(chunks) else None
         if not isinstance(word, Word):
             return None
@@ -264,16 +264,6 @@ class Figure(Clause):
             if isinstance(chunk, Event) or chunk.cat == "conj" or chunk.value in {",", ";", "."}:
                 break  # "80 m ahead and a car …": ahead of nobody that is named
         return word, None
-
-    def _shared(self, k: int) -> int:
-        """``a van 60 m and a bus 75 m ahead of the ego``: the phrase after both holds for each."""
-        joint, *rest = [*self.text.chunks[k : k + 4], None, None]
-        named = isinstance(rest[0], Mention)
-        measure, locus = (*rest[named:], None, None)[:2]
-        both = isinstance(joint, Word) and joint.value in {"and", "or"}
-        told = isinstance(measure, Word) and measure.cat == "quantity"
-        placed = isinstance(locus, Word) and locus.cat == "locus"
-        return 2 + named if both and told and placed else 0
 
     @property
     def noun(self) -> NounPhrase | None:

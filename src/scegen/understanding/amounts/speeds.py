@@ -184,20 +184,20 @@ def whose(figure: Figure) -> list[tuple[Entity, Quantity]]:
     """Those whose speed it is, with what it is of each of them; none where nothing tells."""
     near = _for_whom(figure) or figure.named_before(_outside(figure))
     near = near or _of_the_noun(figure) or _opens_with(figure)
-    found = [(entity, figure.quantity) for entity in near] or _by_clause(figure)
-    return _one_each([e for e, _ in found], figure) or found
+    return _one_each(near or _by_clause(figure), figure)
 
 
 def _one_each(whom: list[Entity], figure: Figure) -> list[tuple[Entity, Quantity]]:
-    """``ego and van drive at 50 and 70 km/h``: as many speeds as participants, in order."""
+    """``ego and van at 50 and 70 km/h``: as many as participants, in order; one is that of all."""
     parts, words = figure.quantity.parts, figure.text.low(figure.i, figure.j)
     last = next((m for m in reversed(figure.text.mentions) if m.j <= figure.i), None)
     if last is not None and last.joined is not None and whom == last.entities:
-        whom = [*last.joined.entities, *whom]
-    if len(parts) != len(whom) or " and " not in words or words.startswith(" between "):
-        return []
+        own = len(parts) == _PAIR or any((m.i, m.j) == (figure.i, figure.j) for m in last.mods)
+        whom = [*last.joined.entities, *whom] if own else whom
+    each = len(parts) == len(whom) and " and " in words and not words.startswith(" between ")
     one = replace(figure.quantity, note=None)
-    return [(e, replace(one, value=p)) for e, p in zip(whom, parts, strict=True)]
+    shares = [replace(one, value=p) for p in parts] if each else [figure.quantity] * len(whom)
+    return list(zip(whom, shares, strict=True))
 
 
 def _for_whom(figure: Figure) -> list[Entity]:
@@ -251,10 +251,7 @@ def _before_any_verb(figure: Figure, who: Mention) -> bool:
 
 
 def _opens_with(figure: Figure) -> list[Entity]:
-    """``At about 100 km/h, the ego is overtaken by a van``: of whom the sentence is about.
-
-    So it is in "60 km/h is the speed of both".
-    """
+    """``At about 100 km/h, the ego is overtaken by a van``: of whom the sentence is about."""
     text, start = figure.text, figure.start
     before = [c for c in text.chunks if start <= c.i < figure.i]
     fronted = {id(p.target) for m in text.mentions for p in m.pps if p.fronted}  # "behind a bus"
@@ -262,15 +259,12 @@ def _opens_with(figure: Figure) -> list[Entity]:
     who = next((m for m in free if start <= m.i < figure.end), None)
     if who is None or not all(isinstance(c, Word) for c in before):
         return []
-    named = text.low(figure.j, who.i).split()
-    if named[:1] == ["is"] and named[-1:] == ["of"] and set(named) & word_list("rates"):
-        return list(who.entities)
     acts = [c for c in text.within(start, who.i) if not c.event.embedded]
     told = before and who.prep is None and not who.possessor and not acts
     return list(who.entities) if told else []
 
 
-def _by_clause(figure: Figure) -> list[tuple[Entity, Quantity]]:
+def _by_clause(figure: Figure) -> list[Entity]:
     """The noun's, or of who acts.
 
     In "a van drives at 80 km/h, a bus in the right lane at 60 km/h" the bus does as the van, but
@@ -280,7 +274,7 @@ def _by_clause(figure: Figure) -> list[tuple[Entity, Quantity]]:
     own = {e for mods, who in nouns for m in mods if _is_speed(m) and m.i > figure.i for e in who}
     verbs = [(s.event.mods, [e for e in s.actors if e not in own]) for s in figure.text.scenes]
     return [
-        (entity, term.data["quantity"])
+        entity
         for mods, who in (*nouns, *verbs)
         for term in mods
         if (term.i, term.j) == (figure.i, figure.j) and "quantity" in term.data

@@ -7,7 +7,6 @@ from collections.abc import Collection
 from scegen.scenario.acts import ActKind
 from scegen.scenario.signals import AtLight
 from scegen.scenario.spacings import Measure
-from scegen.scenario.vocabulary import Maneuver
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.telling import ANY, CHANGING, Telling
 from scegen.understanding.entity import Basis, Entity

@@ -24,10 +24,14 @@ def _any_of(*names: str) -> frozenset[str]:
 
 @dataclass(frozen=True, slots=True)
 class Window:
-    """Words before and after a number, each with a blank at either end."""
+    """Words before and after a number, each with a blank at either end.
+
+    What stands after it begins at the token ``resumes``, for two numbers behind the second.
+    """
 
     before: str
     after: str
+    resumes: int
 
     def fits(self, frame: AmountFrame, verbs: frozenset[str]) -> bool:
         """Whether all that a frame asks for is there.
@@ -95,8 +99,8 @@ def window(tokens: list[Token], i: int, j: int, ends: dict[int, int]) -> Window:
     alone = j == len(tokens) or tokens[j].kind == "punct"
     placed = i > 1 and tokens[i - 2].low in _any_of("places_before_lengths")
     begin = i - 1 if alone and placed and tokens[i - 1].low == "," else i  # "a van ahead, 60 m."
-    after = _after(tokens, _shared(tokens, j, ends) + bool(aside))
-    return Window(_before(tokens, begin, ends), after)
+    resumes = _shared(tokens, j, ends)
+    return Window(_before(tokens, begin, ends), _after(tokens, resumes + bool(aside)), resumes)
 
 
 def _shared(tokens: list[Token], j: int, ends: dict[int, int]) -> int:
