@@ -42,7 +42,10 @@ def comes_to(figure: Figure) -> bool:
     before = [a for a in text.acts(0, figure.i) if a.entity in who and a.kind in _CHANGES]
     if len(who) != 1 or not before or before[-1].i < figure.start:
         return False
-    before[-1].amounts.setdefault("target_speed_mps", figure.amount)
+    last = before[-1]
+    if last.amounts.get("target_speed_mps") is not None:
+        return False
+    last.amounts["target_speed_mps"] = figure.amount
     return True
 
 

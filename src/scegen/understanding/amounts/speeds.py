@@ -251,7 +251,10 @@ def _before_any_verb(figure: Figure, who: Mention) -> bool:
 
 
 def _opens_with(figure: Figure) -> list[Entity]:
-    """``At about 100 km/h, the ego is overtaken by a van``: of whom the sentence is about."""
+    """``At about 100 km/h, the ego is overtaken by a van``: of whom the sentence is about.
+
+    So it is in "60 km/h is the speed of both".
+    """
     text, start = figure.text, figure.start
     before = [c for c in text.chunks if start <= c.i < figure.i]
     fronted = {id(p.target) for m in text.mentions for p in m.pps if p.fronted}  # "behind a bus"
@@ -259,6 +262,9 @@ def _opens_with(figure: Figure) -> list[Entity]:
     who = next((m for m in free if start <= m.i < figure.end), None)
     if who is None or not all(isinstance(c, Word) for c in before):
         return []
+    named = text.low(figure.j, who.i).split()
+    if named[:1] == ["is"] and named[-1:] == ["of"] and set(named) & word_list("rates"):
+        return list(who.entities)
     acts = [c for c in text.within(start, who.i) if not c.event.embedded]
     told = before and who.prep is None and not who.possessor and not acts
     return list(who.entities) if told else []

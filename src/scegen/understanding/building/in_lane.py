@@ -208,6 +208,8 @@ def lanes_of_road(
     if around.lanes is not None and around.lanes <= most:
         doubled = _RING_LANES if ring and around.lanes > 1 else None
         return (around.lanes,) * arms, doubled, around.lanes_basis
+    if ring and around.two_lane is not None:
+        return (2,) * arms, 2, around.two_lane
     passing = draft.passing_implied
     if implied is None and passing is not None:
         if not ring and not _parted(along) and _against_oncoming(draft, around):

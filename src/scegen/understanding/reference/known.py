@@ -64,6 +64,8 @@ def _looks_on(roster: Roster, reading: Reading, mention: Mention) -> list[Entity
     after = [t.low for t in roster.tokens[mention.j : mention.j + _LOOKS_WITHIN]]
     forward = bool({"forward", "forwards"} & {*after})  # "a driver who faces forward"
     drive = [e for e in roster.entities if e.is_vehicle]
+    if forward and len(drive) > 1:
+        drive = [e for e in drive if e.ego]
     alone = len(drive) == 1 and reading.driver and not reading.labels
     return drive if alone and (seen_by or view or forward) else []
 
