@@ -69,6 +69,14 @@ def unattached(
             continue  # "a signalised intersection, whose lights are off"
         if term.cat == "num" and _counts(term, before, tokens, named, scenario):
             continue
+        gauge = low_at(tokens, term.i - 1) in word_list("gauged")  # "the gap between them"
+        if term.value == "between" and (gauge or (before and before.cat == "quantity")):
+            continue
+        dark = scenario.junction.control is Control.SIGNALS_OFF
+        if dark and (term.cat, term.value) == ("control", Control.SIGNALS):
+            continue  # "a signalised intersection, whose lights are off"
+        if term.cat == "num" and _counts(term, before, tokens, named, scenario):
+            continue
         if term.value == "between" and before is not None and before.cat == "quantity":
             start = end = tokens[before.j - 1].end  # "1.5 s between them"
         own = before is not None and before.cat == "possessive" and term.value == "front"
