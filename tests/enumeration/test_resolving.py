@@ -25,6 +25,18 @@ def test_who_brakes_endangers_the_next_behind_it(describe):
     assert resolved(functional) == {(("ego",), ("van",))}
 
 
+@pytest.mark.parametrize("comes", [False, True])
+def test_who_brakes_endangers_nobody_in_front_of_it(describe, comes):
+    """Neither who is ahead nor who has just come there out of the next lane."""
+    car = {"id": "car", "approaches": ["adjacent" if comes else "ahead"]}
+    into = {"id": "c", "participant": "car", "kind": "change_lane", "into": "ego"}
+    functional = describe(
+        "straight", 2, [EGO, car], [{"kind": "hard_braking", "by": ["ego"]}],
+        more={"acts": [into]} if comes else {},
+    )  # fmt: skip
+    assert resolved(functional) == {(("ego",), ())}
+
+
 @pytest.mark.parametrize(("acts", "sufferer"), [([], "car"), (["change_lane"], "ego")])
 def test_who_changes_lanes_gets_away_from_one_who_stops(describe, acts, sufferer):
     van = {"id": "van", "kind": "van", "approaches": ["ahead"]}

@@ -34,6 +34,7 @@ def outcomes(monkeypatch):
 
 
 def make(**options):
+    options = {"target": "near-miss"} | options
     return make_some(FUNCTIONAL, PICKED, "near-miss", Options(**options), lambda _: None)
 
 
@@ -59,6 +60,39 @@ def test_without_any_that_is_right_the_best_is_taken(outcomes):
 
 def test_what_is_picked_is_made_whatever_comes_of_it(outcomes):
     outcomes += [proof(holds=False), proof(holds=True)]
-    made = make_some(FUNCTIONAL, PICKED[:2], "near-miss", Options(pick="0,1"), lambda _: None)
+    options = Options(pick="0,1", target="near-miss")
+    made = make_some(FUNCTIONAL, PICKED[:2], "near-miss", options, lambda _: None)
     assert len(made.proofs) == 2
     assert made.skipped == {}
+
+
+def test_who_cannot_be_missed_is_hit_if_nobody_asked_for_a_near_miss(outcomes):
+    outcomes += [proof(holds=False), proof(holds=True)]
+    made = make(target=None)
+    ((name, taken),) = made.proofs.items()
+    assert outcomes == []
+    assert not taken.missed
+    assert "does not hold" in made.skipped[f"{name}, a near miss"]
+
+
+def test_where_they_cannot_touch_either_the_near_miss_is_told(outcomes):
+    missed = [proof(holds=False), proof(holds=True, in_band=False)]
+    outcomes += missed * (attempts.MOST_SPARE + 1)
+    made = make(target=None)
+    ((_, taken),) = made.proofs.items()
+    assert taken.missed
+    assert not any("a near miss" in name for name in made.skipped)
+
+
+@pytest.mark.parametrize("text", [
+    "A pedestrian steps onto the road from the right 30 m ahead of the ego, which drives 80 km/h.",
+    "A lorry ahead brakes with 9 m/s² to a stop; the ego follows 10 m behind at 90 km/h.",
+])  # fmt: skip
+def test_what_cannot_be_missed(text):
+    functional = read(text)
+    picked = enumerate_scenarios(functional).scenarios
+    made = make_some(functional, picked, "near-miss", Options(), lambda _: None)
+    ((name, taken),) = made.proofs.items()
+    assert not taken.missed
+    assert taken.target == "collision"
+    assert any(skipped.startswith(name) for skipped in made.skipped)

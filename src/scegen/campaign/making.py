@@ -181,7 +181,7 @@ def _made(
     """One concrete scenario: numbers, danger, judgement, files, checks."""
     target = chosen_target(campaign.target, functional)
     with clock.step("concretize"):
-        raised = make_one(functional, logical, target, item.seed)
+        raised = make_one(functional, logical, target, item.seed, free=campaign.target is None)
     (concrete,) = raised.concretes
     clock.seconds["search"] = raised.search_s.get(concrete.name, 0.0)
     clock.seconds["concretize"] -= clock.seconds["search"]

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.concrete import door_of
 from scegen.scenario.functional import FunctionalScenario, Hazard, Participant
+from scegen.scenario.in_line import unconcerned
 from scegen.scenario.logical import ConflictKind, Crossing, Drive, LogicalScenario
 from scegen.scenario.model import Interval
 from scegen.scenario.outcome import OutcomeKind
@@ -60,7 +61,7 @@ class Told:
     def hazards(self) -> tuple[Hazard, ...]:
         """The dangers, with everybody named who causes and who suffers them.
 
-        What one alone causes and nobody is said to suffer, anybody else may.
+        What one alone causes and nobody is said to suffer, anybody else may who can.
         """
         return tuple(
             hazard if hazard.to or len(hazard.by) != 1 else self._to_anybody(hazard)
@@ -68,7 +69,8 @@ class Told:
         )
 
     def _to_anybody(self, hazard: Hazard) -> Hazard:
-        others = (p.id for p in self.people if p.id not in hazard.by and not p.parked)
+        out = unconcerned(self.functional, hazard.kind, hazard.by)
+        others = (p.id for p in self.people if p.id not in out and not p.parked)
         return hazard.model_copy(update={"to": tuple(others)})
 
     @property

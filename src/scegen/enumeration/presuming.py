@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from scegen.scenario.acts import LETS_BY
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.hazards import HAZARDS, Arrangement, Party
+from scegen.scenario.in_line import unconcerned
 from scegen.scenario.outcome import Outcome
 from scegen.scenario.vocabulary import ANIMALS, Approach, HazardKind, Maneuver, ParticipantKind
 
@@ -46,7 +47,8 @@ def parties(functional: FunctionalScenario, hazard: Hazard, *, left_open: bool) 
     if not by:
         by = _first(functional, row.causes, to or (functional.ego.id,), to)
     if not to and by:
-        to = _ends_with(functional, by) or _first(functional, row.suffers, by, by)
+        out = unconcerned(functional, hazard.kind, by)
+        to = _ends_with(functional, by) or _first(functional, row.suffers, by, out)
     named = {*hazard.by, *hazard.to}
     return Parties(by, to, tuple(name for name in (*by, *to) if name not in named))
 

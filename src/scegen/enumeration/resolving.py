@@ -14,6 +14,7 @@ from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.arms import arm_angles_deg, seen_from
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.hazards import HAZARDS, Party
+from scegen.scenario.in_line import unconcerned
 from scegen.scenario.logical import (
     MEETING,
     Assignment,
@@ -101,7 +102,8 @@ def _named(scene: _View, hazard: Hazard, known: Parties) -> Hazard:
     by = by or _party(scene, row.causes, to or (ego,), to, ())
     things = (thing for thing in scene.functional.objects if thing.id in by)
     to = to or tuple(dict.fromkeys(t.in_way_of for t in things if t.in_way_of is not None))
-    to = to or _party(scene, row.suffers, by, by, known.to)
+    out = unconcerned(scene.functional, hazard.kind, by)
+    to = to or _party(scene, row.suffers, by, out, known.to)
     return hazard.model_copy(update={"by": by, "to": to})
 
 

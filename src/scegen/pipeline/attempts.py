@@ -6,11 +6,13 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from scegen.concretization import concretize
+from scegen.criticality.target import COLLISION, NEAR_MISS
 from scegen.errors import InfeasibleError
 from scegen.pipeline.options import Options
 from scegen.pipeline.raising import Raising, raise_danger
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario
+from scegen.scenario.outcome import Outcome, OutcomeKind
 from scegen.scenario.proof import Proof
 from scegen.scenario.wording import counted
 
@@ -30,14 +32,33 @@ def make_one(
     session: Session | None = None,
     *,
     solutions: int = 1,
+    free: bool = False,
 ) -> Raising:
     """One logical scenario made concrete in memory, its danger raised, its claims proved.
+
+    Where nobody asked for the target (it is ``free``) or tells of the end, and all that is said
+    allows of no near miss, they touch.
 
     Raises:
         InfeasibleError: it cannot be made.
     """
-    concrete = concretize(functional, scenario, seed=seed)
-    return raise_danger(functional, concrete, target, seed, progress, session, solutions=solutions)
+    wanted = functional
+    if target == COLLISION and functional.outcome is None:  # asked for, so nobody brakes for it
+        wanted = functional.model_copy(update={"outcome": Outcome(kind=OutcomeKind.COLLISION)})
+    concrete = concretize(wanted, scenario, seed=seed)
+    raising = raise_danger(
+        functional, concrete, target, seed, progress, session, solutions=solutions
+    )
+    missed = _flaws(raising)[0] > 0
+    if not (missed and free and functional.outcome is None and target == NEAR_MISS):
+        return raising
+    touched = make_one(
+        functional, scenario, COLLISION, seed, progress, session, solutions=solutions
+    )
+    if _flaws(touched) != (0, 0):
+        return raising
+    touched.skipped[f"{scenario.name}, a near miss"] = _why(next(iter(raising.proofs.values())))
+    return touched
 
 
 def make_some(
@@ -76,6 +97,7 @@ def make_some(
                 progress,
                 session,
                 solutions=options.solutions,
+                free=options.target is None,
             )
         except InfeasibleError as error:
             skipped[name] = error.render()

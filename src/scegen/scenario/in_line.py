@@ -8,7 +8,7 @@ from typing import Literal
 from scegen.scenario.acts import LEAVING, SLOWING, Act, ActKind
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.hazards import HAZARDS, Arrangement, Motion
-from scegen.scenario.vocabulary import Approach, Maneuver
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 
 _IN_LINE = frozenset({Maneuver.STRAIGHT, Maneuver.STAY})
 
@@ -36,6 +36,24 @@ def is_said_ahead(
             return ahead == (act.participant == who)
     before = _are_still_in_line(functional, act, since, {who, other})
     return _by_words(functional, who, other) if before else None
+
+
+def unconcerned(
+    functional: FunctionalScenario, kind: HazardKind, by: tuple[str, ...]
+) -> tuple[str, ...]:
+    """Whom it cannot endanger that some slow down: themselves, and who is in front of them.
+
+    That is who is said to be ahead, or to come there out of the next lane.
+    """
+    row = HAZARDS[kind]
+    if row.then is not Arrangement.AHEAD or row.moves is not Motion.ALONG:
+        return by
+    comes = [
+        a.participant for a in functional.acts if a.kind is ActKind.CHANGE_LANE and a.into in by
+    ]
+    others = (p.id for p in functional.participants)
+    ahead = (o for o in others if any(_by_words(functional, o, name) for name in by))
+    return (*by, *comes, *ahead)
 
 
 def words_between(functional: FunctionalScenario, name: str, reference: str) -> frozenset[Approach]:

@@ -362,17 +362,3 @@ def teller_at(i: int) -> Mention:
     """Whoever tells it, where the text names nobody."""
     term = Term("actor", "ego", i, i, data={"ego": True, "speaks": True})
     return Mention(i, i, [], term, heads=[term])
-
-
-def event_of(term: Term, mods: list[Term], *, nominal: bool = False) -> Event:
-    """The event that a verb makes."""
-    start = mods[0].i if mods else term.i
-    event = Event(term.value, start, term.j, term.form, nominal=nominal, mods=list(mods))
-    event.control = term.data.get("control")
-    event.drives, event.says = bool(term.data.get("drives")), bool(term.data.get("says"))
-    event.negated = any((m.cat, m.value) == ("det", "negative") for m in mods)
-    if "how" in term.data:
-        event.mods.append(Term("manner", term.data["how"], term.i, term.j))
-    if "way" in term.data:
-        event.mods.append(Term("dir", term.data["way"], term.i, term.j))
-    return event

@@ -7,6 +7,7 @@ from itertools import chain
 from math import ceil
 from typing import NamedTuple
 
+from scegen.claims.moments import STANDS_MPS
 from scegen.concretization.along.reactions import react
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import edge_y_m, strip_m
@@ -86,7 +87,7 @@ def _walk(story: Story, crossing: Crossing) -> Walk:
     soon_s = _until_met_s(story, walk, meets)
     if soon_s is not None:  # so near that the other does not come by first
         way = walk.profile.way_m(soon_s) - to_aim
-        nearest = max(strip, body.front_m + BEHIND_KERB_M)
+        nearest = body.front_m + max(strip / 2, BEHIND_KERB_M)  # amid those who are parked
         if way > nearest or story.contact_wanted(participant.id, meets.id):
             walk.setback_m = max(min(walk.setback_m, way), nearest)
     said = story.between(participant.id, meets.id, Measure.LATERAL_OFFSET_M)
@@ -143,10 +144,12 @@ def _time(story: Story, walk: Walk, meets: Runner, takes: float) -> None:
         walk.x_m = unbraked.x_m(arrival) + meets.towards * (meets.leading_m + clear)
         return
     if told.act is not None and not walk.timed:
-        walk.sets_off_s = max(_MEETS_S - takes, 2.0)
-    moment = told.at_s if told.act is None else walk.sets_off_s
+        walk.sets_off_s = max(ceil((_MEETS_S - takes) / _LOOK_S) * _LOOK_S, 2.0)
+    seen_s = STANDS_MPS / walk.rate_mps2  # until then it still stands, to whoever looks on
+    moment = told.at_s if told.act is None else walk.sets_off_s + seen_s
     if told.act is not None and told.act is walk.stop:
         moment += walk.rests_s() if told.since == "end" else walk.slows_s()
+    meets = meets if told.act is None else _unbraked(story, meets)
     away = told.value * (1.0 if told.measure is Measure.GAP_M else meets.speed_at_mps(moment))
     walk.x_m = meets.x_m(moment) + meets.towards * (meets.leading_m + away + half)
     if told.act is None and not walk.timed:

@@ -85,6 +85,8 @@ def raise_criticality(
     rng = np.random.Generator(np.random.PCG64(seed))
     reason = too_fast(functional) or stage.blocked or too_slow(concrete, stage.pair)
     touch = wanted.contact is True and bool(stage.pair) and stage.stands(before)
+    if reason is not None and stage.pair and reason == stage.blocked and not wanted.contact:
+        return _without_target(stage, stage.problem(), before, rng, reason)
     if reason is not None and not touch:
         return Raised(concrete, stage.proof(before, before, 1, reason))
     found: list[tuple[ConcreteScenario, Proof]] = []

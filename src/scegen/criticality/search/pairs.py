@@ -19,7 +19,7 @@ def candidate_pairs(concrete: ConcreteScenario) -> list[Pair]:
 
     First those of the dangers, plain conflicts and the ego's before others, what only stands there
     last; then the ego's conflicts, then all others; those between whom somebody drives, and whom
-    lights keep apart, come last.
+    lights keep apart, come last. Others of whom one only follows another keep their distance.
     """
     ego = concrete.ego.id
     things = {thing.id for thing in concrete.objects}
@@ -32,9 +32,12 @@ def candidate_pairs(concrete: ConcreteScenario) -> list[Pair]:
     found = [*moving, *(pair for pair in found if pair not in moving and ego in pair)]
     conflicts = [c for c in concrete.logical.conflicts if c.kind is not ConflictKind.NONE]
     conflicts.sort(key=lambda c: (ego not in {c.first, c.second}, c.kind not in MEETS))
-    found += [(c.first, c.second) for c in conflicts]
     movers = [p.id for p in concrete.participants if not p.parked]
-    found += sorted(combinations(movers, 2), key=lambda pair: ego not in pair)
+    more = [(c.first, c.second) for c in conflicts]
+    more += sorted(combinations(movers, 2), key=lambda pair: ego not in pair)
+    in_file = (c for c in conflicts if c.kind is ConflictKind.FOLLOWING)
+    follow = {frozenset((c.first, c.second)) for c in in_file}
+    found += [pair for pair in more if ego in pair or frozenset(pair) not in follow]
     once: dict[frozenset[str], Pair] = {}
     for pair in found:
         if pair[0] != pair[1]:

@@ -170,8 +170,7 @@ def relative(figure: Figure) -> bool:
     if low < 0:
         return False
     who.speed = Interval(low=low, high=high)
-    basis = Basis(figure.i, figure.j + told, figure.quantity.note)
-    who.speed_basis = basis.because("measured from the speed of the other")
+    who.speed_basis = Basis(figure.i, figure.j + told, "measured from the speed of the other")
     return True
 
 
@@ -227,7 +226,8 @@ def _of_the_noun(figure: Figure) -> list[Entity]:
         return []
     if _before_any_verb(figure, who):
         return list(figure.placed_by(who).entities)
-    told = who.pronoun in {"both", "all"} and not text.within(who.j, figure.i)
+    passed = verb is not None and verb.object is who  # "overtakes both at 120 km/h"
+    told = who.pronoun in {"both", "all"} and not (passed or text.within(who.j, figure.i))
     sides = [p for p in who.pps if p.value == "from" and p.names("side", "direction")]
     if any(p.place is not None and p.place.j == end for p in sides):
         told |= who.pronoun is None and not who.stands_after("of")

@@ -47,6 +47,7 @@ def settle_along(draft: Draft, ego: Entity, happenings: Happenings) -> None:
             continue
         passed = aside and any(entity in to for to in overtaken)
         _in_the_same_lane(entity, ego, passed=passed)
+        _into_the_lane(entity, ego, happenings)
         alone = not entity.approaches and entity.heading is None and not entity.parked
         if entity.stands is not None and alone:
             basis = entity.stands.because("who stands in the lane is ahead")
@@ -87,6 +88,20 @@ def _in_the_same_lane(entity: Entity, ego: Entity, *, passed: bool) -> None:
         reason = "in the lane of the ego" if same else reason
         entity.beside = None
         entity.comes_from({Approach.AHEAD}, entity.start_lane[1].because(reason))
+
+
+def _into_the_lane(entity: Entity, ego: Entity, happenings: Happenings) -> None:
+    """``ahead in the middle lane … changes into the lane of the ego``: until then beside it."""
+    if entity.start_lane is None or entity.approaches != {Approach.AHEAD}:
+        return
+    for doing in happenings.acts:
+        if doing.entity is entity and doing.into is ego and doing.kind is ActKind.CHANGE_LANE:
+            side = {Approach(doing.side.opposite.value)} if doing.side is not None else set()
+            basis = (entity.approach_basis or entity.basis).because(
+                "who comes into the ego's lane is beside it"
+            )
+            entity.comes_from({Approach.ADJACENT, *side}, basis)
+            return
 
 
 def lanes_of(entity: Entity, junction: Junction) -> frozenset[int]:

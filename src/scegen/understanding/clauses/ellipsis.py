@@ -11,8 +11,8 @@ from scegen.understanding.clauses.located import is_it
 from scegen.understanding.frames import acts
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at
+from scegen.understanding.phrases.nominal import WAYS
 from scegen.understanding.phrases.predicates import complete
-from scegen.understanding.words.nominal import WAYS
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 

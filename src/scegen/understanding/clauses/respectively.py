@@ -6,10 +6,10 @@ from dataclasses import replace
 from itertools import groupby
 
 from scegen.understanding.chunks import Event, Mention, Prep
+from scegen.understanding.phrases.nominal import WAYS
 from scegen.understanding.words.terms import Term
 
 _SHARED = ("compass", "dir")
-_WAYS = frozenset({"left", "right", "straight"})
 
 
 def share_out(events: list[Event], terms: list[Term]) -> list[Event]:
@@ -57,7 +57,7 @@ def _apart(event: Event) -> list[Event]:
 
 def _ways(event: Event, cat: str, count: int) -> list[Term]:
     """Headings or turns, if there are as many different ones as participants."""
-    ways = [m for m in event.mods if m.cat == cat and (cat != "dir" or m.value in _WAYS)]
+    ways = [m for m in event.mods if m.cat == cat and (cat != "dir" or m.value in WAYS)]
     return ways if len(ways) == count and len({w.value for w in ways}) > 1 else []
 
 

@@ -5,21 +5,22 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import pairwise
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, event_of
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lanes_meant import count_lanes
 from scegen.understanding.phrases.naming import Namer
-from scegen.understanding.phrases.predicates import between_lanes, with_particles
-from scegen.understanding.words.nominal import (
+from scegen.understanding.phrases.nominal import (
     OPENERS,
     WAYS,
     compound_end,
     ego_owns,
+    event_of,
     governed,
     has_dir,
     is_nominal,
     loose_modifier,
 )
+from scegen.understanding.phrases.predicates import between_lanes, with_particles
 from scegen.understanding.words.numbers import POSITIONS
 from scegen.understanding.words.terms import Term, term_at
 from scegen.understanding.words.tokens import Token

@@ -15,7 +15,7 @@ from scegen.understanding.phrases.lookahead import (
     sentence_end,
     value_at,
 )
-from scegen.understanding.words.nominal import WAYS
+from scegen.understanding.phrases.nominal import WAYS
 from scegen.understanding.words.tokens import Token
 
 _ENTERED = frozenset({"brake", "hard_brake", "slow", "stop", "overtake", "accelerate", "cut_in",

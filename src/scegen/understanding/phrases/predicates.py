@@ -8,7 +8,7 @@ from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.doings_named import entitle
 from scegen.understanding.phrases.lookahead import BOUNDARIES, cat_at, chunk_at, ends, value_at
-from scegen.understanding.words.nominal import WAYS
+from scegen.understanding.phrases.nominal import WAYS
 from scegen.understanding.words.terms import Term, longest_match
 from scegen.understanding.words.tokens import Token
 

@@ -13,11 +13,11 @@ from scegen.understanding.clauses.relatives import aside
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.listed import sides_of
 from scegen.understanding.phrases.lookahead import BOUNDARIES, is_word
+from scegen.understanding.phrases.nominal import WAYS
 from scegen.understanding.reference.its import others_than_it, same_again
 from scegen.understanding.words.tokens import Token
 
 _FOLLOWING = frozenset({"follow", "tailgate", "avoid"})
-_WAYS = frozenset({"left", "right", "straight"})
 _ALONG = frozenset({"ahead", "behind"})
 _DESCRIBES = frozenset({"ed", "ing"})
 _UNDERWAY = frozenset({"move", "wait", "approach"})
@@ -264,5 +264,5 @@ def _of_who_is_there(event: Event, chunks: list[Chunk], there: set[int]) -> bool
 
 def _settled(events: list[Event]) -> set[int]:
     """Mentions of whom the text says which way they go."""
-    going = [e for e in events if e.finite and any(d.value in _WAYS for d in e.dirs)]
+    going = [e for e in events if e.finite and any(d.value in WAYS for d in e.dirs)]
     return {id(m) for e in going for m in e.subject}

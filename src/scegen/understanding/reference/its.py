@@ -8,12 +8,12 @@ from itertools import pairwise, product
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep
 from scegen.understanding.clauses.located import is_it
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.phrases.nominal import WAYS
 from scegen.understanding.words.tokens import Token
 
 _FOLLOWS = frozenset({"follow", "tailgate"})
 _STEPS_OUT = frozenset({"cross", "walk"})
 _SLOWS = frozenset({"brake", "hard_brake", "slow", "stop"})
-_WAYS = frozenset({"left", "right", "straight"})
 
 
 def others_than_it(
@@ -73,11 +73,11 @@ def _is_waited_for(waiting: Event, event: Event, tokens: list[Token]) -> bool:
 
 def _going_elsewhere(event: Event, events: Sequence[Event]) -> Iterator[tuple[Mention, NounPhrase]]:
     """``a car going straight on hits the ego as it turns left``: "it" is not that car."""
-    ways = {d.value for d in event.dirs} & _WAYS
+    ways = {d.value for d in event.dirs} & WAYS
     here = [e for e in events if e.sentence == event.sentence and e.i < event.i]
     hits = any(e.name == "collide" for e in here)
     for other in here if ways and hits else []:
-        if {d.value for d in other.dirs} & _WAYS - ways:
+        if {d.value for d in other.dirs} & WAYS - ways:
             yield from product(_its(event), other.subject)
 
 

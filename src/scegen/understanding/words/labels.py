@@ -6,7 +6,7 @@ import re
 from dataclasses import replace
 
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.words.nominal import noun_follows
+from scegen.understanding.words.nouns_ahead import noun_follows
 from scegen.understanding.words.numbers import POSITIONS
 from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.terms import Term, term_at

@@ -21,7 +21,7 @@ from scegen.web.steps.outcome import outcome_cards
 from scegen.web.steps.step import Activity, StepView, show_form
 
 _TARGETS = {
-    "": ("As described", "the outcome that the text tells, a near miss if it tells none"),
+    "": ("As described", "what the text tells, else a near miss where one can be"),
     NEAR_MISS: ("Near miss", "as close as in a serious conflict, and nobody touches"),
     COLLISION: ("Collision", "the pair touches"),
     AVOIDED: ("Avoided", "nobody touches anybody"),

@@ -1,12 +1,10 @@
-"""Words before a noun that are adjectives only there, and verb forms that stand as nouns."""
+"""Words before a noun that are adjectives only there, and verb forms: events, or nouns."""
 
 from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.words.numbers import POSITIONS
-from scegen.understanding.words.quantities import quantity_at
-from scegen.understanding.words.terms import Match, Term, cat_at, longest_match
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.terms import Term, cat_at
 
 OPENERS = frozenset({"det", "possessive", "num", "quant"})
 WAYS = frozenset({"left", "right", "straight"})
@@ -114,29 +112,15 @@ def loose_modifier(terms: list[Term], m: int, opened: bool) -> bool:
     return opened and term.cat == "unknown" and follows in {"actor", "place", "unknown", "thing"}
 
 
-def noun_follows(tokens: list[Token], j: int) -> bool:
-    """Whether a participant or thing is named at token ``j``, adjectives skipped."""
-    for step in range(3):
-        following = longest_match(tokens, j)
-        if following is None and step == 0 and j < len(tokens) and tokens[j].kind == "word":
-            j += 1  # "a slow milk truck"
-            continue
-        if following is None:
-            return False
-        if following.has("actor", "thing"):
-            return not _needs_no_article(following, tokens)
-        if not following.has("state", "label", "dir", "manner", "verb") or following.has("prep"):
-            return following.has("view")
-        if following.has("verb") and following.form not in {"ing", "ed"}:
-            return False
-        j = following.j
-    return False
-
-
-def _needs_no_article(noun: Match, tokens: list[Token]) -> bool:
-    """Pronouns and names ("me", "V1", "vehicle 2"): no participle describes them."""
-    if any("me" in e.data or "speaks" in e.data for e in noun.entries):
-        return True
-    after = tokens[noun.j] if noun.j < len(tokens) else None
-    numbered = after is not None and after.kind == "number" and quantity_at(tokens, noun.j) is None
-    return numbered and noun.form == "base"
+def event_of(term: Term, mods: list[Term], *, nominal: bool = False) -> Event:
+    """The event that a verb makes."""
+    start = mods[0].i if mods else term.i
+    event = Event(term.value, start, term.j, term.form, nominal=nominal, mods=list(mods))
+    event.control = term.data.get("control")
+    event.drives, event.says = bool(term.data.get("drives")), bool(term.data.get("says"))
+    event.negated = any((m.cat, m.value) == ("det", "negative") for m in mods)
+    if "how" in term.data:
+        event.mods.append(Term("manner", term.data["how"], term.i, term.j))
+    if "way" in term.data:
+        event.mods.append(Term("dir", term.data["way"], term.i, term.j))
+    return event
