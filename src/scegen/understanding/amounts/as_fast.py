@@ -14,12 +14,6 @@ _PAIR = 2
 
 def as_fast(text: Telling) -> None:
     """Speeds that follow from those in numbers."""
-    for mention in text.mentions:  # "ego and lead at 80 km/h": both
-        own = [m for m in mention.mods if m.cat == "quantity" and m.value == "speed"]
-        if own and mention.joined is not None and mention.entities:
-            last = mention.entities[0]
-            words = last.speed_basis or Basis(own[0].i, own[0].j)
-            _give(mention.joined.entities, last, words, "said of both")
     _until_alike(text)
     _alike(text)
     _followed(text)

@@ -14,6 +14,7 @@ from scegen.understanding.happenings import Amount, Apart, Doing
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.patterns import noun, people
+from scegen.understanding.words.tokens import low_at
 
 _REACH, _SIDE_REACH = 8, 14
 _ALONG, _BESIDE = frozenset({"ahead", "behind"}), {Approach.ADJACENT}
@@ -73,7 +74,8 @@ def toward(figure: Figure) -> tuple[Side | None, int]:
     for k in range(j, min(j + _REACH, figure.end)):
         if tokens[k].low in SIDE_WORDS:
             return Side(SIDE_WORDS[tokens[k].low]), k + 1
-        if tokens[k].kind in {"number", "punct"}:
+        aside = tokens[k].low == "," and low_at(tokens, k + 1) in SIDE_WORDS  # "50 %, left"
+        if tokens[k].kind in {"number", "punct"} and not aside:
             break
     before = range(figure.i - 1, max(figure.start, figure.i - _SIDE_REACH) - 1, -1)
     said = (SIDE_WORDS[tokens[k].low] for k in before if tokens[k].low in SIDE_WORDS)

@@ -17,7 +17,6 @@ from scegen.understanding.words.quantities import Quantity
 
 _MEASURES = {measure.value.rpartition("_")[0]: measure for measure in Measure}
 NO_RULE = "a measure that no rule could attach; left out"
-_PARENTHESIS = 2
 _SKIPPED = frozenset({"aux", "manner", "unknown", "possessive", "(", ":"})
 _OWNS = (["'s"], ["'"], ["("])
 """``the ego's 60 km/h``, ``a van (45 km/h)``."""
@@ -60,9 +59,22 @@ class Figure(Clause):
         """The number itself, without what "up to" or "about" make of it."""
         return Amount(self.quantity.exact, Basis(self.i, self.j))
 
+    @property
+    def placed(self) -> Amount:
+        """Its value, also with the words of place after it: "15 m in front of"."""
+        amount, noun = self.amount, self.noun
+        if self.after is None:
+            return amount
+        end = self.after[0].j
+        if isinstance(noun, Mention) and noun.possessor:
+            end = noun.j + 2
+        if isinstance(noun, Place) and noun.kind == "side":
+            end = noun.j
+        return Amount(amount.value, Basis(self.i, min(end, self.end), amount.basis.reason))
+
     def trigger(self, kind: str, **rest: Any) -> Trigger:  # noqa: ANN401 - fields of a trigger
-        """What sets an act off by this number."""
-        return Trigger(kind, self.amount.basis, self.amount, **rest)
+        """What sets an act off by this number, wherever it is reached ("has fallen below 20 m")."""
+        return Trigger(kind, self.placed.basis, self.exactly, **rest)
 
     def note(self, instead: str | None = None) -> None:
         """Reports that no field holds it."""
@@ -120,7 +132,7 @@ class Figure(Clause):
         if not opened:
             return None
         begin, tokens = opened[-1].i, self.text.tokens
-        if sum(t.low == "," for t in tokens[begin:i]) not in {0, _PARENTHESIS}:
+        if sum(t.low == "," for t in tokens[begin:i]) % 2:
             return None  # "when the ego, at 40 km/h, is 20 m away"
         ends = (k for k in range(i, stop) if tokens[k].low == ",")
         return begin, next(ends, stop), self.text.low(begin, opened[-1].j).strip()
@@ -172,7 +184,8 @@ class Figure(Clause):
 
     def placed_by(self, landmark: Mention) -> Mention:
         """``car in front of the ego: 80 km/h``: the noun that is placed by another, else that."""
-        placed = (m for m in self.text.mentions if any(p.target is landmark for p in m.pps))
+        before = (m for m in self.text.mentions if m.i < landmark.i)
+        placed = (m for m in before if any(p.target is landmark for p in m.pps))
         return next(placed, landmark) if landmark.is_landmark else landmark
 
     @cached_property
@@ -233,11 +246,11 @@ class Figure(Clause):
     def after(self) -> tuple[Word, NounPhrase | None] | None:
         """A phrase of place right after it: "ahead of the ego", "from the junction"."""
         chunks = self.text.chunks
-        k = next((k for k, c in enumerate(chunks) if c.i >= self.j), len(chunks))
+        j = self.words_around.resumes
+        k = next((k for k, c in enumerate(chunks) if c.i >= j), len(chunks))
         tokens = self.text.tokens
         while k < len(chunks) and tokens[chunks[k].i].low in {"(", ")", "remaining"}:
             k += 1  # "26.7 m (1.6 s) behind a car"
-        k += self._shared(k)
         word = chunks[k] if k < len(chunks) else None
         if not isinstance(word, Word):
             return None
@@ -251,16 +264,6 @@ class Figure(Clause):
             if isinstance(chunk, Event) or chunk.cat == "conj" or chunk.value in {",", ";", "."}:
                 break  # "80 m ahead and a car …": ahead of nobody that is named
         return word, None
-
-    def _shared(self, k: int) -> int:
-        """``a van 60 m and a bus 75 m ahead of the ego``: the phrase after both holds for each."""
-        joint, *rest = [*self.text.chunks[k : k + 4], None, None]
-        named = isinstance(rest[0], Mention)
-        measure, locus = (*rest[named:], None, None)[:2]
-        both = isinstance(joint, Word) and joint.value in {"and", "or"}
-        told = isinstance(measure, Word) and measure.cat == "quantity"
-        placed = isinstance(locus, Word) and locus.cat == "locus"
-        return 2 + named if both and told and placed else 0
 
     @property
     def noun(self) -> NounPhrase | None:

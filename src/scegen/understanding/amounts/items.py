@@ -189,8 +189,6 @@ def _named_beside(figure: Figure) -> NounPhrase | None:
     before = [c for c in text.chunks if figure.start <= c.i and c.j <= figure.i]
     for chunk in reversed(before):
         if isinstance(chunk, Thing) and text.tokens[chunk.j - 1].low in word_list("extents"):
-            if chunk.owner is not None:
-                return chunk.owner
             continue  # "a van, length 6 m"
         if isinstance(chunk, Mention | Thing):
             return chunk if has_a_size(chunk) else None

@@ -124,10 +124,11 @@ def _bracketed(figure: Figure) -> Entity | None:
     return first
 
 
-def tell_order(figure: Figure, one: Entity, other: Entity) -> None:
+def tell_order(figure: Figure, measure: Measure, one: Entity, other: Entity) -> None:
     """``15 m behind``: who is said to be there, if no place of the two is said.
 
     Who changes lanes "15 m ahead" comes there by that; "15 m before a van" it goes from behind.
+    Of "ego and target at 50 km/h, gap 12 m" the target is ahead.
     """
     way = {" behind ": Approach.BEHIND, " ahead ": Approach.AHEAD, " in front ": Approach.AHEAD}
     way |= {} if other.ego else {" before ": Approach.BEHIND}
@@ -135,8 +136,18 @@ def tell_order(figure: Figure, one: Entity, other: Entity) -> None:
     vehicles = one.is_vehicle and other.is_vehicle and not (one.parked or other.parked)
     comes = {Maneuver.LANE_CHANGE} if figure.led_by != "before" else set()
     sideways = {Maneuver.CROSS, *comes} & (one.maneuvers | other.maneuvers)
+    draft, basis = figure.text.draft, figure.amount.basis
     if said is not None and vehicles and not sideways and not figure.text.stand(one, other):
-        figure.text.draft.place(one, other, {said}, figure.amount.basis)
+        draft.place(one, other, {said}, basis)
+    two = [e for e in (one, other) if not e.ego]
+    if measure not in LENGTHWISE or len(two) != 1 or not two[0].is_vehicle:
+        return
+    entity = two[0]
+    placed = any(entity in (p.entity, p.reference) or p.entity.ego for p in draft.placements)
+    beside = bool(entity.maneuvers & {Maneuver.LANE_CHANGE, Maneuver.CROSS})
+    if not (placed or figure.text.context.meeting or beside or entity.parked or entity.heading):
+        reason = "a gap along the road is one to who is ahead"
+        draft.place(entity, None, {Approach.AHEAD}, basis.because(reason))
 
 
 _ANSWERING = frozenset({ActKind.BRAKE, ActKind.STOP, ActKind.CHANGE_LANE})
@@ -167,17 +178,21 @@ def moment(figure: Figure, measure: Measure, one: Entity, other: Entity) -> Doin
         or [a for a in acts if _in_trigger(a, figure)]
         or _revealed_by(figure, one, other)
         or _of_its_doer(figure, acts)
-        or [a for a in _opens_with(figure, acts) if a.kind in _INTO]
+        or [a for a in _opens_with(figure, acts) if _goes_in(a)]
     )
     if into:
         return into[0]  # "when it has passed it moves in 15 m ahead of the ego"
     here = [a for a in acts if any(start <= i < figure.i for i in a.places)]
-    pulls_out = [a for a in here if a.kind is ActKind.SET_OFF and a.entity.pulls_out]
-    here_into = [a for a in here if a.kind in _INTO] + pulls_out
+    here_into = [a for a in here if _goes_in(a)]
     if not here_into:  # "brakes at a TTC of 3 s", "brakes with 6 m/s² 20 m ahead of the ego"
         then = [a for a in here if told & a.places] or _opens_with(figure, acts)
         here_into = [a for a in then if measure is Measure.TTC_S or a.kind in CHANGING]
     return here_into[-1] if here_into else _until_it_brakes(text, one, other, acts)
+
+
+def _goes_in(doing: Doing) -> bool:
+    """Whether one comes where the other drives: a gap is one as it begins to."""
+    return doing.kind in _INTO or (doing.kind is ActKind.SET_OFF and doing.entity.pulls_out)
 
 
 def _until_it_brakes(text: Telling, one: Entity, other: Entity, acts: list[Doing]) -> Doing | str:

@@ -5,14 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.scenario.acts import ActKind
-from scegen.scenario.spacings import LENGTHWISE, Measure
+from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts import aside
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.pairs import moment, pair_of, row_of, since, tell_order
-from scegen.understanding.chunks import Mention, Place
-from scegen.understanding.entity import Basis, Entity
-from scegen.understanding.happenings import Amount, Apart, Doing
+from scegen.understanding.chunks import Place
+from scegen.understanding.entity import Entity
+from scegen.understanding.happenings import Apart, Doing
 from scegen.understanding.lexicon import word_list
 
 _SOON = 14
@@ -88,7 +88,7 @@ def at_rest(figure: Figure) -> bool:
     stops = [a for a in stops if a.always and a.ends_at_rest]  # "must stop 2 m before": it shall
     if pair is None or not stops:
         return False
-    amount = _with_place(figure)
+    amount = figure.placed
     text.found.spacings.append(Apart(figure.measure, *pair, amount, stops[-1], since="end"))
     return True
 
@@ -118,9 +118,11 @@ def _between(
 ) -> Apart:
     """The spacing of two, the one whose it is first."""
     entity, reference, side, text = one, other, None, figure.text
-    amount = _with_place(figure)
+    amount = figure.placed
     if measure is Measure.LATERAL_OFFSET_M:
         amount = aside.signed(figure)
+        if one.ego and not (figure.adjacent or figure.verb):  # "ego 60 km/h, offset 0.5 m"
+            entity, reference = other, one
     elif measure in {Measure.HEADWAY_S, Measure.TTC_S}:
         entity, reference = text.in_file(one, other)
     elif measure is Measure.OVERLAP_PERCENT:
@@ -129,8 +131,7 @@ def _between(
         text.found.spacings[:] = [
             s for s in text.found.spacings if s.measure is not measure or s.entity is not entity
         ]  # "with full overlap (100 %)"
-    tell_order(figure, one, other)
-    _in_file(figure, measure, entity, reference, amount)
+    tell_order(figure, measure, one, other)
     return Apart(measure, entity, reference, amount, at, side, since(text, at, one, other))
 
 
@@ -146,32 +147,5 @@ def to_a_thing(figure: Figure) -> bool:
     nearest = min(here, key=lambda x: x.basis.i or 0)
     if not all(e.ego for e in text.spoken_of(figure.j, nearest.basis.i or 0)):
         return False  # "20 m ahead of the ego a cyclist swerves around a pothole"
-    text.found.spacings.append(Apart(Measure.GAP_M, nearest, text.ego, _with_place(figure)))
+    text.found.spacings.append(Apart(Measure.GAP_M, nearest, text.ego, figure.placed))
     return True
-
-
-def _in_file(figure: Figure, measure: Measure, one: Entity, other: Entity, amount: Amount) -> None:
-    """``ego and target at 50 km/h, gap 12 m``: the other is ahead, if no place is said."""
-    two = [e for e in (one, other) if not e.ego]
-    if measure not in LENGTHWISE or len(two) != 1 or not two[0].is_vehicle:
-        return
-    entity, draft = two[0], figure.text.draft
-    placed = any(entity in (p.entity, p.reference) or p.entity.ego for p in draft.placements)
-    sideways = bool(entity.maneuvers & {Maneuver.LANE_CHANGE, Maneuver.CROSS})
-    if not (placed or figure.text.context.meeting or sideways or entity.parked or entity.heading):
-        reason = "a gap along the road is one to who is ahead"
-        draft.place(entity, None, {Approach.AHEAD}, amount.basis.because(reason))
-
-
-def _with_place(figure: Figure) -> Amount:
-    """A number with the words of place after it: "15 m in front of"."""
-    amount, noun = figure.amount, figure.noun
-    if figure.after is None:
-        return amount
-    end = figure.after[0].j
-    if isinstance(noun, Mention) and noun.possessor:
-        end = noun.j + 2
-    if isinstance(noun, Place) and noun.kind == "side":
-        end = noun.j
-    basis = amount.basis
-    return Amount(amount.value, Basis(basis.i, min(end, figure.end), basis.reason))

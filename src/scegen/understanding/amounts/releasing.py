@@ -31,7 +31,7 @@ def sets_off(figure: Figure) -> bool:
     when = clause if opened else None
     if thing is not None:
         return _before_a_thing(figure, thing, when)
-    before = word == "before" and isinstance(noun, Mention)
+    before = word in {"before", "short"} and isinstance(noun, Mention)
     if not (opened or line is not None or before):
         return False
     doing = _main(figure, when) or (_starts_crossing(figure) if opened else None)
@@ -69,7 +69,7 @@ def _comes_down(figure: Figure, doing: Doing, subject: Entity, line: Place | Non
         subject, other = meeting[0], next(iter(meeting[1:]), None)
     if other is None or other is subject:
         return False
-    tell_order(figure, subject, other)
+    tell_order(figure, figure.measure, subject, other)
     if figure.measure is not Measure.GAP_M:
         subject, other = text.in_file(subject, other)
     doing.when = figure.trigger("measure", measure=figure.measure, entity=subject, reference=other)
@@ -138,7 +138,7 @@ def _main(figure: Figure, clause: tuple[int, int, str] | None) -> Doing | None:
     begin, stop, _ = clause
     before = [a for a in here if a.i < begin]
     after = [a for a in here if a.i >= stop]
-    if not (before or after) and begin == figure.start:
+    if not (before or after):
         after = [a for a in here if a.i > figure.i]  # no comma: "when it is 20 m away it brakes"
     return next(iter((*before[-1:], *after)), None)
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from scegen.scenario.acts import ActKind
+from dataclasses import replace
+
+from scegen.scenario.acts import SLOWING, ActKind
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
@@ -129,21 +131,46 @@ def _without_speed(figure: Figure) -> list[Entity]:
     return [e for e in reversed(named) if e.speed is None and not e.still][:1]
 
 
+def _hand_on(entity: Entity, figure: Figure) -> None:
+    """``overtakes a tractor at 25 km/h; the ego drives 70 km/h``: the first was the tractor's."""
+    basis, text = entity.speed_basis, figure.text
+    if basis is None or basis.i is None:
+        return  # nobody said it
+    start, i = text.bounds(basis.i)[0], basis.i
+    named = [m.entities for m in text.mentions if start <= m.i < i][-1:]
+    others = [e for e in named[0] if e is not entity] if named and len(named[0]) == 1 else []
+    for other in (e for e in others if e.speed is None and not e.still):
+        other.speed, other.speed_basis = entity.speed, basis
+        entity.speed = entity.speed_basis = None
+
+
 def relative(figure: Figure) -> bool:
-    """``20 km/h slower than the ego``: from the speed of the other."""
+    """``20 km/h slower than the ego``, ``closing speed 30 km/h``: from the speed of the other.
+
+    Without "faster" or "slower", who is behind comes up so fast to who is in front.
+    """
     text, by = figure.text, figure.quantity.exact
     word = text.low(figure.j, figure.j + 1).strip()
-    who = next((e for e in (*figure.actors, *figure.subject) if e.speed is None), None)
-    if who is None:
+    told = word in word_list("faster_than") | word_list("slower_than")
+    anybody = text.draft.entities if not told else []
+    named = (e for e in (*figure.actors, *figure.subject, *anybody) if e.moving_vehicle)
+    who = next((e for e in named if e.speed is None), None)
+    meets = figure.does == "collide" and bool(text.acts(0, len(text.tokens), SLOWING))
+    if who is None or (meets and not told):  # "hits it at a closing speed of …": after braking
         return False
     than = [e for e in text.spoken_of(figure.j + 1, text.bounds(figure.j)[1]) if e is not who]
-    other = than[0] if than else text.counterpart(who, text.spoken_of(0, figure.i))
+    other = than[0] if told and than else text.counterpart(who, text.spoken_of(0, figure.i))
     if other is None or other.speed is None:
         return False
-    sign = 1 if word in word_list("faster_than") else -1
-    low, high = sorted((other.speed.low + sign * by.low, other.speed.high + sign * by.high))
+    faster = word in word_list("faster_than") if told else text.in_file(who, other)[0] is who
+    sign, own = 1 if faster else -1, other.speed
+    if not told and text.context.oncoming(who if other.ego else other):
+        own, sign = Interval(low=-own.high, high=-own.low), 1  # both together come so near
+    low, high = sorted((own.low + sign * by.low, own.high + sign * by.high))
+    if low < 0:
+        return False
     who.speed = Interval(low=low, high=high)
-    who.speed_basis = figure.amount.basis.because("measured from the speed of the other")
+    who.speed_basis = Basis(figure.i, figure.j + told, "measured from the speed of the other")
     return True
 
 
@@ -156,7 +183,20 @@ def whose(figure: Figure) -> list[tuple[Entity, Quantity]]:
     """Those whose speed it is, with what it is of each of them; none where nothing tells."""
     near = _for_whom(figure) or figure.named_before(_outside(figure))
     near = near or _of_the_noun(figure) or _opens_with(figure)
-    return [(entity, figure.quantity) for entity in near] or _by_clause(figure)
+    return _one_each(near or _by_clause(figure), figure)
+
+
+def _one_each(whom: list[Entity], figure: Figure) -> list[tuple[Entity, Quantity]]:
+    """``ego and van at 50 and 70 km/h``: as many as participants, in order; one is that of all."""
+    parts, words = figure.quantity.parts, figure.text.low(figure.i, figure.j)
+    last = next((m for m in reversed(figure.text.mentions) if m.j <= figure.i), None)
+    if last is not None and last.joined is not None and whom == last.entities:
+        own = len(parts) == _PAIR or any((m.i, m.j) == (figure.i, figure.j) for m in last.mods)
+        whom = [*last.joined.entities, *whom] if own else whom
+    each = len(parts) == len(whom) and " and " in words and not words.startswith(" between ")
+    one = replace(figure.quantity, note=None)
+    shares = [replace(one, value=p) for p in parts] if each else [figure.quantity] * len(whom)
+    return list(zip(whom, shares, strict=True))
 
 
 def _for_whom(figure: Figure) -> list[Entity]:
@@ -210,7 +250,27 @@ def _before_any_verb(figure: Figure, who: Mention) -> bool:
     return all(isinstance(c, Word) and (c.cat in _BESIDES or c.value == ",") for c in between)
 
 
-def _by_clause(figure: Figure) -> list[tuple[Entity, Quantity]]:
+def _opens_with(figure: Figure) -> list[Entity]:
+    """``At about 100 km/h, the ego is overtaken by a van``: of whom the sentence is about.
+
+    So it is in "60 km/h is the speed of both".
+    """
+    text, start = figure.text, figure.start
+    before = [c for c in text.chunks if start <= c.i < figure.i]
+    fronted = {id(p.target) for m in text.mentions for p in m.pps if p.fronted}  # "behind a bus"
+    free = (m for m in text.mentions if id(m) not in fronted)
+    who = next((m for m in free if start <= m.i < figure.end), None)
+    if who is None or not all(isinstance(c, Word) for c in before):
+        return []
+    named = text.low(figure.j, who.i).split()
+    if named[:1] == ["is"] and named[-1:] == ["of"] and set(named) & word_list("rates"):
+        return list(who.entities)
+    acts = [c for c in text.within(start, who.i) if not c.event.embedded]
+    told = before and who.prep is None and not who.possessor and not acts
+    return list(who.entities) if told else []
+
+
+def _by_clause(figure: Figure) -> list[Entity]:
     """The noun's, or of who acts.
 
     In "a van drives at 80 km/h, a bus in the right lane at 60 km/h" the bus does as the van, but
@@ -220,7 +280,7 @@ def _by_clause(figure: Figure) -> list[tuple[Entity, Quantity]]:
     own = {e for mods, who in nouns for m in mods if _is_speed(m) and m.i > figure.i for e in who}
     verbs = [(s.event.mods, [e for e in s.actors if e not in own]) for s in figure.text.scenes]
     return [
-        (entity, term.data["quantity"])
+        entity
         for mods, who in (*nouns, *verbs)
         for term in mods
         if (term.i, term.j) == (figure.i, figure.j) and "quantity" in term.data
@@ -238,33 +298,3 @@ def _has_another(figure: Figure, who: Mention) -> bool:
 
 def _is_speed(term: Term) -> bool:
     return (term.cat, term.value) == ("quantity", "speed")
-
-
-def _opens_with(figure: Figure) -> list[Entity]:
-    """``At about 100 km/h, the ego is overtaken by a van``: of whom the sentence is about.
-
-    So it is in "60 km/h is the speed of both".
-    """
-    text, start = figure.text, figure.start
-    before = [c for c in text.chunks if start <= c.i < figure.i]
-    who = next((m for m in text.mentions if start <= m.i < figure.end), None)
-    if who is None or not all(isinstance(c, Word) for c in before):
-        return []
-    named = text.low(figure.j, who.i).split()
-    if named[:1] == ["is"] and named[-1:] == ["of"] and set(named) & word_list("rates"):
-        return list(who.entities)
-    told = before and who.prep is None and not who.possessor and not text.within(start, who.i)
-    return list(who.entities) if told else []
-
-
-def _hand_on(entity: Entity, figure: Figure) -> None:
-    """``overtakes a tractor at 25 km/h; the ego drives 70 km/h``: the first was the tractor's."""
-    basis, text = entity.speed_basis, figure.text
-    if basis is None or basis.i is None:
-        return  # nobody said it
-    start, i = text.bounds(basis.i)[0], basis.i
-    named = [m.entities for m in text.mentions if start <= m.i < i][-1:]
-    others = [e for e in named[0] if e is not entity] if named and len(named[0]) == 1 else []
-    for other in (e for e in others if e.speed is None and not e.still):
-        other.speed, other.speed_basis = entity.speed, basis
-        entity.speed = entity.speed_basis = None

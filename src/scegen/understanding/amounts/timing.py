@@ -6,6 +6,7 @@ from collections.abc import Collection
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.signals import AtLight
+from scegen.scenario.spacings import Measure
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.telling import ANY, CHANGING, Telling
 from scegen.understanding.entity import Basis, Entity
@@ -44,6 +45,7 @@ def likewise(figure: Figure, kinds: Collection[ActKind]) -> Doing | None:
 
 
 _COMING = frozenset({"enter", "move", "pass", "cross", "turn", "approach", "appear", "merge"})
+_SETTING_OUT = frozenset({"cross", "walk", "dash", "enter", "appear"})
 _GREEN_REACH = 9
 _ENDING = frozenset({"target_speed_mps", "duration_s", "distance_m"})
 
@@ -109,6 +111,8 @@ def earlier(figure: Figure) -> bool:
     text = figure.text
     told = text.acts(figure.start, figure.i)
     first = told[-1] if told else _comes_in(figure)
+    if _steps_out(figure):
+        return True
     if first is None:
         return False
     second = next(iter(text.acts(figure.j, figure.end)), None)
@@ -119,6 +123,20 @@ def earlier(figure: Figure) -> bool:
             return False
         second = text.same(first, who[0], figure.j, first.basis)
     second.when = figure.trigger("after", act=first, since="begin")
+    return True
+
+
+def _steps_out(figure: Figure) -> bool:
+    """``steps off the kerb 2 s before the ego gets there``: when that one is so near in time."""
+    text = figure.text
+    comes = next((e for e in text.spoken_of(figure.j, figure.end) if e.moving_vehicle), None)
+    crossing = text.acts(figure.start, figure.end, {ActKind.CROSS})
+    does = [a for a in crossing if a.when is None and a.entity is not comes]
+    ends = figure.i > figure.start and figure.does not in _SETTING_OUT  # "has left the lane 1 s …"
+    if comes is None or not does or ends:
+        return False
+    pair = {"entity": comes, "reference": does[0].entity}
+    does[0].when = figure.trigger("measure", measure=Measure.TTC_S, **pair)
     return True
 
 

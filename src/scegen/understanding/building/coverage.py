@@ -13,7 +13,7 @@ from scegen.understanding.chunks import Event
 from scegen.understanding.frames import acts, always_acts
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
-from scegen.understanding.words.tokens import Token, base_words
+from scegen.understanding.words.tokens import Token, base_words, low_at
 
 _INSTEAD = {
     "manner": "says how it is done; no field holds that here",
@@ -62,6 +62,16 @@ def unattached(
         if cat not in _INSTEAD or term.value in _EMPTY or len(found) >= _MOST:
             continue
         start, end = tokens[term.i].start, tokens[term.j - 1].end
+        if term.value == "between" and low_at(tokens, term.i - 1) in word_list("gauged"):
+            continue  # "the gap between them": the number is told of
+        dark = scenario.junction.control is Control.SIGNALS_OFF
+        if dark and (term.cat, term.value) == ("control", Control.SIGNALS):
+            continue  # "a signalised intersection, whose lights are off"
+        if term.cat == "num" and _counts(term, before, tokens, named, scenario):
+            continue
+        gauge = low_at(tokens, term.i - 1) in word_list("gauged")  # "the gap between them"
+        if term.value == "between" and (gauge or (before and before.cat == "quantity")):
+            continue
         dark = scenario.junction.control is Control.SIGNALS_OFF
         if dark and (term.cat, term.value) == ("control", Control.SIGNALS):
             continue  # "a signalised intersection, whose lights are off"

@@ -32,6 +32,8 @@ def report(draft: Draft, terms: list[Term], chunks: list[Chunk], *, crossing: bo
     known = {c.label_at for c in chunks if isinstance(c, Mention)}
     events = (c for c in chunks if isinstance(c, Event) and c.name != "unknown")
     known |= {i for event in events for i in range(event.i, event.j)}
+    bases = [e.speed_basis for e in draft.entities if e.speed_basis]  # "20 km/h faster"
+    known |= {i for basis in bases for i in range(basis.i or 0, basis.j or 0)}
     _unknown(draft, [t for t in terms if t.i not in known])
     beside = [t for t in terms if t.cat == "place" and "auxiliary" in t.data]
     for term in beside:

@@ -72,8 +72,12 @@ class ClauseReader:
         elif state.prep is not None and (word.value == "either" or self._opens_noun(word)):
             return  # "from either the left or the right", "without the two touching"
         else:
-            release(self._state)
-            if word.value not in {"(", ")"}:
+            release(state)
+            if word.value == "(":
+                state.outside = state.candidate, state.candidate_done
+            elif word.value == ")":
+                state.candidate, state.candidate_done = state.outside
+            else:
                 self._joint(word)
 
     def _joint(self, word: Word) -> None:

@@ -9,8 +9,10 @@ from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import (
     GOVERNING,
     behind_insertion,
+    cat_at,
     chunk_at,
     is_word,
+    sentence_end,
     value_at,
 )
 
@@ -142,9 +144,12 @@ def opens_clause(state: State) -> bool:
         return False
     while _word_of(chunks, m, GOVERNING) and (further := _phrase_end(m, chunks)) is not None:
         m = further  # "in the left lane beside the ego a van drives"
-    if value_at(chunks, m) == "(":  # "ahead of the ego (40 km/h) a van drives"
-        closed = (n + 1 for n, c in enumerate(chunks[m:], start=m) if c.value == ")")
-        m = next(closed, m)
+    # or in brackets, "ahead of the ego (40 km/h) a van", or: "behind a bus that is slow, the ego"
+    rest = range(m, sentence_end(chunks, m))
+    if value_at(chunks, m) == "(":
+        m = next((n + 1 for n in rest if value_at(chunks, n) == ")"), m)
+    elif cat_at(chunks, m) == "rel":
+        m = next((n for n in rest if value_at(chunks, n) == ","), m)
     if value_at(chunks, m) == ",":
         if not (begins or listed or "sub" in state.between):
             return False

@@ -37,6 +37,7 @@ class State:
         trailing: the ego where it opens a clause after that of another ("…, as the ego turns").
         being: who is said to be somewhere before an "and" ("is 20 m away and doing 30 km/h").
         dependent: the clause of the candidate is opened by "when", "while" and the like.
+        outside: the candidate as brackets open, and whether it has its verb; so it is again behind.
         relative: who acts in a relative clause, and on whom ("the van that the ego follows").
     """
 
@@ -64,6 +65,7 @@ class State:
     resumed: list[Event] = field(default_factory=list)
     being: Mention | None = None
     dependent: bool = False
+    outside: tuple[Mention | None, bool] = None, False
 
     def at(self, n: int) -> Chunk | None:
         """The chunk so many after the one that is read, or before it."""

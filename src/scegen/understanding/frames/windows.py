@@ -24,10 +24,14 @@ def _any_of(*names: str) -> frozenset[str]:
 
 @dataclass(frozen=True, slots=True)
 class Window:
-    """Words before and after a number, each with a blank at either end."""
+    """Words before and after a number, each with a blank at either end.
+
+    What stands after it begins at the token ``resumes``, for two numbers behind the second.
+    """
 
     before: str
     after: str
+    resumes: int
 
     def fits(self, frame: AmountFrame, verbs: frozenset[str]) -> bool:
         """Whether all that a frame asks for is there.
@@ -95,8 +99,8 @@ def window(tokens: list[Token], i: int, j: int, ends: dict[int, int]) -> Window:
     alone = j == len(tokens) or tokens[j].kind == "punct"
     placed = i > 1 and tokens[i - 2].low in _any_of("places_before_lengths")
     begin = i - 1 if alone and placed and tokens[i - 1].low == "," else i  # "a van ahead, 60 m."
-    after = _after(tokens, _shared(tokens, j, ends) + bool(aside))
-    return Window(_before(tokens, begin, ends), after)
+    resumes = _shared(tokens, j, ends)
+    return Window(_before(tokens, begin, ends), _after(tokens, resumes + bool(aside)), resumes)
 
 
 def _shared(tokens: list[Token], j: int, ends: dict[int, int]) -> int:
@@ -124,7 +128,8 @@ def _before(tokens: list[Token], i: int, ends: dict[int, int]) -> str:
     found: list[str] = []
     while k >= 0 and len(found) < _REACH:
         token = tokens[k]
-        pair = _both_ends(tokens, k)
+        told = token.low == "and" or k in ends or k + 1 in ends
+        pair = _both_ends(tokens, k) if told else None
         if pair is not None:
             found.insert(0, "between")
             k = pair - 1
@@ -137,7 +142,8 @@ def _before(tokens: list[Token], i: int, ends: dict[int, int]) -> str:
             k -= 1
             continue
         measured = k > 0 and token.low == "when" and tokens[k - 1].low in _any_of("gauged")
-        if token.kind in {"punct", "number"} or k + 1 in ends:
+        inside = token.low == "between" and tokens[i - 1].low in _any_of("attached_by")
+        if token.kind in {"punct", "number"} or k + 1 in ends or inside:
             break
         if token.low in _any_of("clause_words") and not measured:
             break
@@ -154,13 +160,14 @@ def _bracketed(tokens: list[Token], k: int) -> int | None:
 
 
 def _both_ends(tokens: list[Token], k: int) -> int | None:
-    """``between the ego and the bus``: where it begins, if an "and" joins its ends."""
-    if tokens[k].low != "and":
-        return None
-    for b in range(k - 1, max(-1, k - _REACH), -1):
-        if tokens[b].low == "between":
-            return b
-        if tokens[b].kind in {"punct", "number"} or tokens[b].low in _any_of("clause_words"):
+    """``between the ego and the bus``, ``… at 80 km/h``: where it begins, if an "and" joins them.
+
+    Between one and the other may stand how fast they are.
+    """
+    for b in range(k, max(-1, k - 2 * _REACH), -1):
+        if tokens[b].low == "between" and b + 1 < k and tokens[b + 1].kind != "number":
+            return b if any(t.low == "and" for t in tokens[b : k + 1]) else None
+        if tokens[b].low in {".", ";", ":"} | _any_of("until", "clause_words") - {"and"}:
             break
     return None
 

@@ -157,8 +157,12 @@ def each_of(chunks: list[Chunk]) -> list[Chunk]:
     """``in one of the lanes``, ``in each of them``, ``one from each side``: in it, from each."""
     found: list[Chunk] = []
     first: Place | None = None
-    for chunk in chunks:
+    for k, chunk in enumerate(chunks):
         on = value_at(found, len(found) - 1) == "in"
+        both = isinstance(chunk, Mention) and chunk.pronoun == "both" and len(found) > 2
+        joined = both and isinstance(found[-1], Mention) and isinstance(found[-3], Mention)
+        if joined and found[-2].value == "and" and isinstance(chunk_at(chunks, k + 1), Event):
+            continue  # "the ego and the van both drive 60 km/h"
         if on and isinstance(chunk, Place) and {m.value for m in chunk.mods} == {"one"}:
             first = chunk  # "a bus on one side, a truck on the other": beside who is between them
         if on and first is not None and isinstance(chunk, Mention) and chunk.pronoun == "other":

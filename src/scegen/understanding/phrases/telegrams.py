@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word, teller_at
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, teller_at
 from scegen.understanding.phrases.doings_named import spell_out_doings
 from scegen.understanding.phrases.lookahead import GOVERNING, cat_at, chunk_at, ends, value_at
 from scegen.understanding.words.terms import Term
@@ -25,19 +25,28 @@ _UNDERGONE = frozenset({"park", "hide", "block", "collide", "locate", "follow", 
 
 def spell_out(chunks: list[Chunk]) -> list[Chunk]:
     """The chunks with what telegraphic style leaves out."""
-    chunks = _in_lanes(chunks)
+    chunks = _in_lanes([c for k, c in enumerate(chunks) if not _before_its_side(chunks, k)])
     if any(chunk.value == ":" for chunk in chunks):
         chunks = _after_headings(_from_titles(chunks))
     chunks = _told_by_nobody(spell_out_doings(chunks))
     for k, chunk in enumerate(chunks):
-        if isinstance(chunk, Event) and _named_doing(chunk, chunks, k):
-            chunk.nominal = True
+        if isinstance(chunk, Event):
+            chunk.nominal = chunk.nominal or _named_doing(chunk, chunks, k)
     found: list[Chunk] = []
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Place) and chunk.kind == "exit" and _clause_opener(chunks, k):
             found.append(Event("leave", chunk.i, chunk.i, "s"))  # "ego 3rd exit"
         found.append(_going(chunks, k) or chunk)
     return found
+
+
+def _before_its_side(chunks: list[Chunk], k: int) -> bool:
+    """``50 % overlap, left``, ``offset 0.4 m, right``: a comma between a measure and its side."""
+    measure, side = chunk_at(chunks, k - 1), value_at(chunks, k + 1)
+    told = {measure.value, *(m.value for m in getattr(measure, "mods", []))} if measure else set()
+    bare = ends(chunk_at(chunks, k + 2)) or value_at(chunks, k + 2) == ","
+    is_comma = chunks[k].value == "," and side in {"left", "right"}
+    return is_comma and bare and not told.isdisjoint({"percentage", "length"})
 
 
 def _after_headings(chunks: list[Chunk]) -> list[Chunk]:
@@ -155,10 +164,11 @@ def _adds_nothing(title: list[Chunk], chunks: list[Chunk], k: int) -> bool:
 
 
 def _named_doing(event: Event, chunks: list[Chunk], k: int) -> bool:
-    """``Cut-in from the left``, ``Cut-in, ego 100 km/h``: a doing, not yet with who does it."""
+    """``Cut-in from the left``, ``Cut-in test: ego 100 km/h``: a doing, as yet of nobody."""
     bare = event.form == "base" and event.name in _NAMED
     placed = cat_at(chunks, k + 1) in {"prep", "locus", "manner"}
-    listed = value_at(chunks, k + 1) in {",", ":"}  # "Cut-in, ego 100 km/h, target …"
+    after = k + 1 + isinstance(chunk_at(chunks, k + 1), Thing)  # "scenario"
+    listed = value_at(chunks, after) in {",", ":", "."}  # "Cut-in, ego 100 km/h, target …"
     return bare and (placed or listed) and ends(chunk_at(chunks, k - 1))
 
 

@@ -126,9 +126,12 @@ class Discourse:
                 entity.named_by.add("somebody")
 
     def _of_two(self, mention: Mention) -> list[Entity]:
-        """``both vehicles``, ``the two``: of two who are known already."""
+        """``both vehicles``, ``the two``: of two who are known already, or of one and the ego."""
         first = mention.i - (mention.pronoun == "count")
         words = " ".join(t.low for t in self.tokens[max(0, first) : mention.j])
+        told = words in word_list("two_cars") | word_list("two_of_them")
+        if (told or mention.pronoun == "both") and [e.ego for e in self.entities] == [False]:
+            the_ego(self._roster, ParticipantKind.CAR, Basis(mention.i, mention.j))
         cars = [e for e in self.entities if e.kind is ParticipantKind.CAR]  # besides a lorry
         loosely = any(e.ego for e in self.entities) and all(e.is_vehicle for e in self.entities)
         cars = self.entities if loosely and len(cars) < _A_PAIR else cars  # the ego and a van

@@ -7,7 +7,6 @@ from scegen.understanding.chunks import Mention
 from scegen.understanding.clauses.located import loci_of
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.reference.egos import the_ego
 from scegen.understanding.reference.generic import everybody
 from scegen.understanding.reference.roster import Roster, claimed
 from scegen.understanding.words.numbers import POSITIONS
@@ -48,9 +47,7 @@ def of_pronoun(
 
 
 def _together(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Entity]:
-    """``they``; ``the lead car slows down; both drive 100 km/h``: it and the ego."""
-    if mention.pronoun == "both" and [e.ego for e in roster.entities] == [False]:
-        the_ego(roster, ParticipantKind.CAR, Basis(mention.i, mention.j))
+    """``they``; ``the lead car slows down; both drive 100 km/h``: all who are meant."""
     number = mention.mod("num")
     joined = roster.joined if roster.subject == roster.joined[-len(roster.subject) :] else []
     count = _TWO if mention.pronoun == "both" else len(joined)

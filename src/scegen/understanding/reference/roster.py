@@ -233,8 +233,8 @@ class Roster:
         if named or reading.plural or reading.labels != {"adversary"}:
             return []
         others = [e for e in self.entities if not (e.ego or e.parked)]
-        alike = [e for e in others if e.kind is reading.kind and e.dirs == reading.dirs]
-        one = len(alike) == 1 and reading.det == "def"
+        alike = [e for e in others if e.kind is reading.kind and reading.dirs <= e.dirs]
+        one = len(alike) == 1 and reading.det in {"def", "bare"}  # "a slower car …; POV 20 mph"
         return alike if one and (not loci or loci & alike[0].loci) else []
 
     def enrich(self, known: list[Entity], reading: Reading) -> None:

@@ -15,8 +15,7 @@ _CLOSED = ("conj", "sub", "rel", "prep", "locus", "verb", "dir")
 _FEWEST, _MOST = 3, 200
 _LOWEST_BARE = 15
 """Lower numbers without a unit, after "at", are hours as well."""
-
-
+_SAID_REACH = 4
 _BESIDE = 3
 
 
@@ -29,8 +28,13 @@ def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
     if number is None or not _FEWEST < number.value <= _MOST:
         return None
     j = i + number.length
-    told = doing(tokens, i) or low_at(tokens, i - 1) in word_list("at_a_speed")
-    told = told or _likewise(tokens, i, j)
+    told = (
+        doing(tokens, i)
+        or low_at(tokens, i - 1) in word_list("at_a_speed")
+        or (low_at(tokens, i - 1) == "to" and low_at(tokens, i - 2) in word_list("comes_to"))
+        or _its_speed(tokens, i)
+        or _likewise(tokens, i, j)
+    )
     ends = j >= len(tokens) or tokens[j].kind == "punct" or begins(tokens, j, *_CLOSED)
     if not (told and ends):
         return None
@@ -44,6 +48,15 @@ def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
     note = f"no unit is said; read as {unit}"
     found = in_unit(tokens, i, j, "speed", unit)
     return replace(found, note=note) if found is not None else None
+
+
+def _its_speed(tokens: list[Token], i: int) -> bool:
+    """``its own speed is 120``, ``100 km/h against the ego's 80``: a speed without its unit."""
+    before = tokens[max(0, i - _SAID_REACH) : i]
+    rated = any(t.low in word_list("pace_nouns") for t in before)
+    rated = rated and before[-1].low in {"is", "was", "of", "="}
+    versus = any(t.low in {"against", "versus", "vs"} for t in before)
+    return rated or (versus and before[-1].kind == "clitic")
 
 
 def _likewise(tokens: list[Token], i: int, j: int) -> bool:

@@ -199,6 +199,10 @@ def tokenize(text: str) -> list[Token]:
         if mark is not None:
             found.append(Token(written, mark, start, end, "punct", ((mark, "base"),)))
             continue
+        symbol = shortened.get(written.lower(), "").split()
+        if len(symbol) > 1:  # "Ve0": the ego's speed
+            found += [Token(written, low, start, end, "word", lemmas(low)) for low in symbol]
+            continue
         low, kind, forms, slip = _read(written, group)
         found.append(Token(written, low, start, end, kind, forms, slip))
     return found
