@@ -46,7 +46,8 @@ def standing(
         side = hidden.pop() if len(hidden) == 1 else functional.junction.kerb
     opens = any(a.kind is ActKind.OPEN_DOOR for a in functional.acts if a.participant == parked.id)
     blocks = any(h.kind in BLOCKING and parked.id in h.by for h in functional.hazards)
-    blocks = (blocks or _is_run_into(functional, parked)) and not (parked.pulls_out or opens)
+    blocks = blocks or _is_run_into(functional, parked) or _is_backed_up_to(functional, parked)
+    blocks = blocks and not (parked.pulls_out or opens)
     return Standing(participant=parked.id, arm=arm, side=side, in_lane=blocks)
 
 
@@ -60,6 +61,14 @@ def _is_run_into(functional: FunctionalScenario, parked: Participant) -> bool:
     aside |= {act.participant for act in functional.acts if act.kind in LEAVING}
     aside |= {p.id for p in functional.participants if p.strip is not None}
     return parked.id in outcome.between and len(others) == 1 and not others & aside
+
+
+def _is_backed_up_to(functional: FunctionalScenario, parked: Participant) -> bool:
+    """Whether it stands right behind the ego, which reverses: what it gets to."""
+    backs = any(
+        h.kind is HazardKind.REVERSING and functional.ego.id in h.by for h in functional.hazards
+    )
+    return backs and parked.approaches == {Approach.BEHIND} and parked.strip is None
 
 
 def _sides(
