@@ -46,8 +46,10 @@ def standing(
         side = hidden.pop() if len(hidden) == 1 else functional.junction.kerb
     opens = any(a.kind is ActKind.OPEN_DOOR for a in functional.acts if a.participant == parked.id)
     blocks = any(h.kind in BLOCKING and parked.id in h.by for h in functional.hazards)
-    blocks = blocks or _is_run_into(functional, parked) or _is_backed_up_to(functional, parked)
-    blocks = blocks and not (parked.pulls_out or opens)
+    backing = {n for h in functional.hazards if h.kind is HazardKind.REVERSING for n in h.by}
+    behind = parked.approaches == {Approach.BEHIND} and parked.strip is None
+    blocks |= behind and functional.ego.id in backing  # what the ego gets to
+    blocks = (blocks or _is_run_into(functional, parked)) and not (parked.pulls_out or opens)
     return Standing(participant=parked.id, arm=arm, side=side, in_lane=blocks)
 
 
@@ -61,14 +63,6 @@ def _is_run_into(functional: FunctionalScenario, parked: Participant) -> bool:
     aside |= {act.participant for act in functional.acts if act.kind in LEAVING}
     aside |= {p.id for p in functional.participants if p.strip is not None}
     return parked.id in outcome.between and len(others) == 1 and not others & aside
-
-
-def _is_backed_up_to(functional: FunctionalScenario, parked: Participant) -> bool:
-    """Whether it stands right behind the ego, which reverses: what it gets to."""
-    backs = any(
-        h.kind is HazardKind.REVERSING and functional.ego.id in h.by for h in functional.hazards
-    )
-    return backs and parked.approaches == {Approach.BEHIND} and parked.strip is None
 
 
 def _sides(

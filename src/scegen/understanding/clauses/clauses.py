@@ -161,15 +161,10 @@ class ClauseReader:
             state.events[-1].mods.append(word.term)
         elif state.candidate is not None:
             state.candidate.mods.append(word.term)
-        elif word.cat == "manner" and self._fronted():
+        elif word.cat == "manner" and isinstance(state.at(1 + is_word(following, ",")), Mention):
             state.ahead.append(word.term)  # "Suddenly a van …", "In reverse, the ego …"
         elif self.events and not state.mentions and word.cat != "quantity":
             self.events[-1].mods.append(word.term)
-
-    def _fronted(self) -> bool:
-        """Whether the clause follows, at once or behind a comma."""
-        state = self._state
-        return isinstance(state.at(1 + is_word(state.at(1), ",")), Mention)
 
     def _denied_way(self, word: Word) -> bool:
         """``turns right, not left``."""

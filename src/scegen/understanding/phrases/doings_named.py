@@ -24,7 +24,7 @@ _ENTERED = frozenset({"brake", "hard_brake", "slow", "stop", "overtake", "accele
 _HOW = frozenset({"prep", "quantity", "manner", "dir", "punct", "sub"})
 DONE_TO = frozenset({"overtake", "pass", "bypass", "follow", "encounter"})
 """Doings of which "of" names whom they are done to."""
-MADE = frozenset({"turn", "u_turn", "reverse"})
+_MADE = frozenset({"turn", "u_turn", "reverse"})
 """Doings that a title names before who does them."""
 _DOERS = frozenset({"of", "by"})
 _JOINTS = frozenset({",", "and", "then"})
@@ -55,11 +55,11 @@ def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] 
     where = chunks[k + 1 : k + 3] if isinstance(chunk_at(chunks, k + 2), Place) else []
     m = k + 1 + len(where)
     who_else = chunk_at(chunks, m + 1)
-    if event.name in MADE and value_at(chunks, m) == "," and isinstance(who_else, Mention):
+    if event.name in _MADE and value_at(chunks, m) == "," and isinstance(who_else, Mention):
         rest = chunks[m + 2 : sentence_end(chunks, m + 2)]
         done = any(isinstance(c, Event) for c in rest)
         # "Left turn, ego at 12 km/h", "Left turn at a junction, ego 12 km/h"
-        return None if done else ([who_else, named_verb(event), *where], m + 2)
+        return None if done else ([who_else, _verb(event), *where], m + 2)
     m = k + 1 + isinstance(after, Thing)  # "manoeuvre"
     named: dict[str, list[Chunk]] = {}
     while (group := _group(m, chunks)) and group[0] not in named:
@@ -70,18 +70,20 @@ def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] 
         return None
     if not named:
         who = _last_told(k, chunks) if before in BOUNDARIES else None
+        alone = not any(isinstance(c, Event | Mention) for c in chunks[1 : sentence_end(chunks, 0)])
+        if k == 0 and event.name in _MADE and event.form == "base" and alone:
+            who = teller_at(event.i)  # "Right turn at 10 km/h. …"
         if who is None or event.name != "overtake":
-            return None if who is None else ([who, named_verb(event)], k + 1)
+            return None if who is None else ([who, _verb(event)], k + 1)
         of_ego = who.same_as is not None and who.same_as.is_ego
-        return None if of_ego else ([teller_at(event.i), named_verb(event), who], k + 1)
+        return None if of_ego else ([teller_at(event.i), _verb(event), who], k + 1)
     of, by = named.get("of", []), named.get("by", [])
     if not by and event.name not in DONE_TO:  # but not "reversing out of a drive, …"
-        return ([*of, named_verb(event)], m) if isinstance(of[0], Mention) else None
-    return [*(by or [teller_at(event.i)]), named_verb(event), *of], m
+        return ([*of, _verb(event)], m) if isinstance(of[0], Mention) else None
+    return [*(by or [teller_at(event.i)]), _verb(event), *of], m
 
 
-def named_verb(event: Event) -> Event:
-    """The verb for a doing that a noun names."""
+def _verb(event: Event) -> Event:
     return replace(event, form="s", nominal=False)
 
 

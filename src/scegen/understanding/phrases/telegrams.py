@@ -9,15 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word, teller_at
-from scegen.understanding.phrases.doings_named import MADE, named_verb, spell_out_doings
-from scegen.understanding.phrases.lookahead import (
-    GOVERNING,
-    cat_at,
-    chunk_at,
-    ends,
-    sentence_end,
-    value_at,
-)
+from scegen.understanding.phrases.doings_named import spell_out_doings
+from scegen.understanding.phrases.lookahead import GOVERNING, cat_at, chunk_at, ends, value_at
 from scegen.understanding.words.terms import Term
 
 _WAYS = frozenset({("dir", "left"), ("dir", "right"), ("dir", "straight"), ("manner", "backwards")})
@@ -116,41 +109,28 @@ def _titled(title: list[Chunk]) -> Place | None:
 def _told_by_nobody(chunks: list[Chunk]) -> list[Chunk]:
     """``Turned right and hit a van``, ``Was going straight``: whoever tells it did.
 
-    So did who is "Following a truck at 80 km/h." or "Overtaking a bus. It swerves.", and who makes
-    a "Right turn at 10 km/h." in a sentence of its own.
+    So did who is "Following a truck at 80 km/h." or "Overtaking a bus. It swerves."
     """
     first = chunk_at(chunks, 0)
     auxiliary = first is not None and (first.cat, first.value) == ("aux", "be")
     k = int(auxiliary)
     verb = chunk_at(chunks, k)
-    if not isinstance(verb, Event):
-        return chunks
-    whole = _whole_sentence(chunks, verb)
-    if verb.form == "base" and whole:
-        return [teller_at(verb.i), named_verb(verb), *chunks[1:]]
-    if verb.nominal:
+    if not isinstance(verb, Event) or verb.nominal:
         return chunks
     past = verb.form == "ing" if auxiliary else verb.form == "ed"
-    past = past or whole
+    past = past or (verb.form == "ing" and _whole_sentence(chunks))
     undergone = verb.name in _UNDERGONE and not isinstance(chunk_at(chunks, k + 1), Mention)
     if not past or (undergone and not auxiliary) or value_at(chunks, k + 1) == "by":
         return chunks
     return [teller_at(verb.i), *chunks]
 
 
-def _whole_sentence(chunks: list[Chunk], verb: Event) -> bool:
-    """Whether the first sentence has no verb but participles, or names a doing and nobody.
-
-    "Braking of the bus:" has none.
-    """
-    end = sentence_end(chunks, 0)
+def _whole_sentence(chunks: list[Chunk]) -> bool:
+    """Whether the first sentence has no verb but participles ("braking of the bus:" has none)."""
+    end = next((k for k, c in enumerate(chunks) if ends(c)), len(chunks))
     if value_at(chunks, 1) == "of" or value_at(chunks, end) == ":":
         return False
-    rest = chunks[1:end]
-    if verb.form == "base":
-        return verb.name in MADE and not any(isinstance(c, Event | Mention) for c in rest)
-    verbs = (c for c in rest if isinstance(c, Event))
-    return verb.form == "ing" and all(c.nominal or c.form == "ing" for c in verbs)
+    return all(c.nominal or c.form == "ing" for c in chunks[:end] if isinstance(c, Event))
 
 
 def _plays(chunks: list[Chunk], k: int) -> bool:

@@ -70,10 +70,10 @@ def _ridden(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> No
     told = [(m, p) for e in moving for m in e.subject if _may_ride(m) for p in e.pps]
     told += [(c, p) for c in chunks if isinstance(c, Mention) and tells(c) for p in c.pps]
     for who, prep in told:
-        what, aboard = prep.who, tokens[prep.word.i].low in word_list("aboard")
-        if aboard and prep.value == "in" and what is not None and what.same_as is None:
-            if is_one_vehicle(what):
-                what.same_as, who.drives = who, True
+        what, word = prep.who, tokens[prep.word.i].low
+        aboard = prep.value == "in" and word in word_list("aboard")
+        if aboard and what is not None and what.same_as is None and is_one_vehicle(what):
+            what.same_as, who.drives = who, True
 
 
 def _may_ride(mention: Mention) -> bool:
