@@ -101,3 +101,11 @@ def test_who_is_turned_does_not_back_out_square():
         concrete.model_copy(update={"participants": people}),
     )
     assert "square.ego" in lost
+
+
+def test_what_is_parked_behind_stands_in_its_way():
+    ego = person("ego", speed=4, maneuvers=["straight"])
+    parked = person("x", parked=True, maneuvers=["stay"], approaches=["behind"])
+    hazards = [{"kind": "reversing", "by": ["ego"]}]
+    _, traces = run(said("straight", ego, parked, hazards=hazards, acts=[REVERSE]))
+    assert abs(traces["x"].y_m[0] - traces["ego"].y_m[0]) < 0.1

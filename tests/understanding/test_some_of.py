@@ -33,6 +33,11 @@ def _groups(text):
         ("Four cars meet at a crossroads; half of the cars turn left.", [(4, 2, {LEFT})]),
         ("Three cars, one of which turns left, reach a T-junction.", [(3, 1, {LEFT})]),
         (
+            "Five vehicles wait at a crossroads with traffic lights: two lorries and three cars, "
+            "one of the cars turning left.",
+            [(3, 1, {LEFT})],
+        ),
+        (
             "The ego and three other cars meet at a junction; one of the other cars turns right.",
             [(3, 1, {RIGHT})],
         ),

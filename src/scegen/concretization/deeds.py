@@ -37,7 +37,7 @@ from scegen.scenario.vocabulary import HazardKind, Maneuver
 STOOD_S = 200.0
 """One that stands at first has stood so long on its course."""
 STANDS_FIRST_S = 0.5
-_BEFORE_LINE_M, _QUEUE_BEFORE_LINE_M = 1.0, 2.0
+_BEFORE_LINE_M, _QUEUE_BEFORE_LINE_M, _BEFORE_WALKER_M = 1.0, 2.0, 0.75
 _QUEUE_GAP_M, _STANDS_MPS2 = 2.0, 5.0
 _AFTER_WALKER_S = 0.5
 _INTO_M, _ROLLS_M = 0.5, 0.4
@@ -82,11 +82,17 @@ def _stands_behind(scene: Setup, draft: DriveDraft) -> bool:
 
 
 def stand_in_line(scene: Setup) -> None:
-    """Those who are said to stay stand before the junction, one behind the other, for good."""
+    """Those who are said to stay stand before the junction, one behind the other, for good.
+
+    Before those who walk over their arm, too.
+    """
     for draft in sorted(scene.drives.values(), key=lambda each: each.drive.rank):
         if not draft.stands:
             continue
-        place = draft.junction_s_m - draft.body.front_m - _QUEUE_BEFORE_LINE_M
+        walks = [w for w in scene.walks.values() if w.crossing.arm == draft.drive.entry]
+        crossed_m = (w.from_junction_m + w.body.width_m / 2 + _BEFORE_WALKER_M for w in walks)
+        free_m = max(crossed_m, default=_QUEUE_BEFORE_LINE_M)
+        place = draft.junction_s_m - draft.body.front_m - free_m
         ahead = ahead_on_arm(scene, draft)
         for other in [o for o in ahead if o.entry_lane == draft.entry_lane][-1:]:
             behind = other.body.rear_m + _QUEUE_GAP_M + draft.body.front_m

@@ -46,6 +46,9 @@ def standing(
         side = hidden.pop() if len(hidden) == 1 else functional.junction.kerb
     opens = any(a.kind is ActKind.OPEN_DOOR for a in functional.acts if a.participant == parked.id)
     blocks = any(h.kind in BLOCKING and parked.id in h.by for h in functional.hazards)
+    backing = {n for h in functional.hazards if h.kind is HazardKind.REVERSING for n in h.by}
+    behind = parked.approaches == {Approach.BEHIND} and parked.strip is None
+    blocks |= behind and functional.ego.id in backing  # what the ego gets to
     blocks = (blocks or _is_run_into(functional, parked)) and not (parked.pulls_out or opens)
     return Standing(participant=parked.id, arm=arm, side=side, in_lane=blocks)
 

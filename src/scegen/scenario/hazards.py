@@ -415,6 +415,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
             "`oncoming_lane`, for one who drives forwards on the wrong side; a u-turn",
             "a car backs out of a driveway before the ego",
         ),
+        suffers=(Party.FOLLOWER, *_EGO_OR_OTHERS),
         moves=Motion.ALONG,
         needs={Case.ANYWHERE: (Arrangement.INTO,)},
         acts=(ActKind.REVERSE,),

@@ -10,12 +10,13 @@ import numpy as np
 
 from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.in_line import merges_ahead
-from scegen.claims.hazards.predicate import Part, Predicate, at_least, part
+from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most, part
 from scegen.claims.view import View
 from scegen.claims.ways import Way
-from scegen.motion.batch.arrays import Floats
+from scegen.motion.batch.arrays import SPEED, Floats
 from scegen.scenario.concrete import CrossingMotion
 
+_STANDS_MPS = 0.05
 _BEFORE_LINE_M = 15.0
 _IN_M = 1.0
 _SET_OFF_M = 3.0
@@ -24,7 +25,13 @@ _OF_ITS_PACE = 0.7
 
 
 def closeness(view: View, by: str, to: str, limit: limits.Threshold = limits.CONFLICT) -> Part:
-    """The time between the two, in s: the smaller of PET and a TTC that counts."""
+    """The time between the two, in s: the smaller of PET and a TTC that counts.
+
+    Of one who stands it is the distance.
+    """
+    if (view.row(to, SPEED) < _STANDS_MPS).all():
+        apart, time_s = view.of_pair("distance_m", by, to), view.of_pair("closest_s", by, to)
+        return at_most("distance", apart, limits.NEAR, time_s)
     pet = view.of_pair("pet_s", by, to)
     ttc = view.of_pair("ttc_s", by, to)
     apart = view.of_pair("distance_m", by, to)

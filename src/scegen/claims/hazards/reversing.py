@@ -42,7 +42,7 @@ def _near(view: View, by: str, to: str, counts: Bools) -> Part:
     since = np.maximum.accumulate(np.where(counts, steps, -_MUCH_M), axis=1)
     meanwhile = steps - since <= limits.REVERSED_FOR_S / view.dt_s
     apart = np.where(meanwhile, apart, np.inf)
-    return at_most("distance meanwhile", apart.min(axis=1), limits.REVERSED_NEAR, view.when(-apart))
+    return at_most("distance meanwhile", apart.min(axis=1), limits.NEAR, view.when(-apart))
 
 
 def _into_the_way(view: View, by: str, to: str, place_m: Floats) -> tuple[Bools, Floats]:

@@ -60,7 +60,7 @@ OCCLUDED = Threshold(0.4, "s", 0.2, "[UN157]: as long as a careful driver takes 
 IN_SIGHT = Threshold(4.0, "s", 1.0, "own: a careful driver [UN157] stops from 70 km/h in as long")
 """Who is seen for longer before the two come nearest was not hidden when it mattered."""
 REVERSED = Threshold(1.5, "m", 1.0, "own: clearly seen, a third of a car's length")
-REVERSED_NEAR = Threshold(5.0, "m", 2.0, "own: as close as a conflict")
+NEAR = Threshold(5.0, "m", 2.0, "own: as close as a conflict")
 REVERSED_FOR_S = 2.0
 """So long after it has gone back, coming near still counts."""
 OBSTACLE = Threshold(2.0, "m", 0.5, "own: passed within 2 m")

@@ -128,7 +128,8 @@ def tells_along(functional: FunctionalScenario, logical: LogicalScenario) -> boo
     ego = logical.assignment(functional.ego.id)
     if not isinstance(ego, Drive):
         return False
-    backing = {a.participant for a in functional.acts if a.kind is ActKind.REVERSE}
+    stopping = {a.participant for a in functional.acts if a.kind is ActKind.STOP and a.when is None}
+    backing = {a.participant for a in functional.acts if a.kind is ActKind.REVERSE} - stopping
     reversing = {n for h in functional.hazards if h.kind is HazardKind.REVERSING for n in h.by}
     return reversing <= backing and not any(
         d.reverses not in {None, Reverses.BACKS_UP}

@@ -75,7 +75,8 @@ def _of_verb(scene: Clause, text: Telling) -> Ending | None:
         return None
     start = max(text.bounds(event.i)[0], event.i - _BEFORE)
     nearly = _narrowly(event, start, text)
-    vain = parent is not None and in_vain(parent)
+    lemma = parent.lemma if parent is not None else ""
+    vain = parent is not None and (in_vain(parent) or lemma in word_list("coming_about"))
     end = max([event.j, *(p.word.j for p in event.pps if clear and p.value == "ahead")])
     part, into = event.object, any(p.value in {"into", "in", "against"} for p in event.pps)
     if into and isinstance(part, Place) and part.has("possessive", "its") and "front" in part.dirs:

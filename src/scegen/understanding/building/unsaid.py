@@ -153,7 +153,7 @@ def some_of(
             continue  # all of them
         words = {frozenset(e.maneuvers): e.maneuver_basis or e.basis for e in told}
         for entity in members:
-            entity.maneuvers, entity.maneuver_basis = set(), None
+            entity.maneuvers, entity.maneuver_basis, entity.waits = set(), None, None
         names = tuple(e.name for e in members)
         for maneuvers, number in ways.items():
             proofs.add(f"groups.{len(found)}", words[maneuvers])

@@ -165,8 +165,8 @@ class ClauseReader:
             state.events[-1].mods.append(word.term)
         elif state.candidate is not None:
             state.candidate.mods.append(word.term)
-        elif word.cat == "manner" and isinstance(following, Mention):
-            state.ahead.append(word.term)  # "Suddenly a van …"
+        elif word.cat == "manner" and isinstance(state.at(1 + is_word(following, ",")), Mention):
+            state.ahead.append(word.term)  # "Suddenly a van …", "In reverse, the ego …"
         elif self.events and not state.mentions and word.cat != "quantity":
             self.events[-1].mods.append(word.term)
 

@@ -57,6 +57,7 @@ _BY_MANNER = {
     "slow": HazardKind.SLOW_DRIVING,
     "wrong_way": HazardKind.ONCOMING_LANE,
     "out_of_control": HazardKind.LOSS_OF_CONTROL,
+    "out_of_turn": HazardKind.FAILURE_TO_YIELD,
 }
 _COMING = frozenset({"move", "approach", "appear", "enter", "speed", "accelerate", "collide",
                      "overtake"})  # fmt: skip

@@ -70,6 +70,9 @@ def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] 
         return None
     if not named:
         who = _last_told(k, chunks) if before in BOUNDARIES else None
+        alone = not any(isinstance(c, Event | Mention) for c in chunks[1 : sentence_end(chunks, 0)])
+        if k == 0 and event.name in _MADE and event.form == "base" and alone:
+            who = teller_at(event.i)  # "Right turn at 10 km/h. …"
         if who is None or event.name != "overtake":
             return None if who is None else ([who, _verb(event)], k + 1)
         of_ego = who.same_as is not None and who.same_as.is_ego

@@ -132,7 +132,7 @@ def _told_by_nobody(chunks: list[Chunk]) -> list[Chunk]:
 
 def _whole_sentence(chunks: list[Chunk]) -> bool:
     """Whether the first sentence has no verb but participles ("braking of the bus:" has none)."""
-    end = next((k for k, c in enumerate(chunks) if value_at(chunks, k) in {".", ":"}), len(chunks))
+    end = next((k for k, c in enumerate(chunks) if ends(c)), len(chunks))
     if value_at(chunks, 1) == "of" or value_at(chunks, end) == ":":
         return False
     return all(c.nominal or c.form == "ing" for c in chunks[:end] if isinstance(c, Event))

@@ -25,7 +25,7 @@ def stand_for_vehicles(chunks: list[Chunk], events: list[Event], tokens: list[To
     _own_vehicles(events)
     _vehicles_of_parties(chunks)
     _drivers(events)
-    _ridden(chunks, tokens)
+    _ridden(chunks, events, tokens)
     _own_people(chunks, events, tokens)
 
 
@@ -64,14 +64,20 @@ def _drivers(events: list[Event]) -> None:
                 prep.who.same_as = event.subject[-1]
 
 
-def _ridden(chunks: list[Chunk], tokens: list[Token]) -> None:
-    """``I'm on a motorbike``, ``we sit in a coach``: whoever tells it stands for it."""
-    for teller in [c for c in chunks if isinstance(c, Mention) and tells(c)]:
-        aboard = [p.who for p in teller.pps if tokens[p.word.i].low in word_list("aboard")]
-        for what in aboard:
-            if what is not None and what.same_as is None and is_one_vehicle(what):
-                what.same_as = teller
-                teller.drives = True
+def _ridden(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
+    """``I'm on a motorbike``, ``he overtook me in a van``: whoever it is stands for it."""
+    moving = [e for e in events if not (e.passive or e.nominal or e.name in _AT_REST)]
+    told = [(m, p) for e in moving for m in e.subject if _may_ride(m) for p in e.pps]
+    told += [(c, p) for c in chunks if isinstance(c, Mention) and tells(c) for p in c.pps]
+    for who, prep in told:
+        what, word = prep.who, tokens[prep.word.i].low
+        aboard = prep.value == "in" and word in word_list("aboard")
+        if aboard and what is not None and what.same_as is None and is_one_vehicle(what):
+            what.same_as, who.drives = who, True
+
+
+def _may_ride(mention: Mention) -> bool:
+    return tells(mention) or is_somebody(mention) or mention.pronoun == "it"
 
 
 def _own_people(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
@@ -98,6 +104,7 @@ def is_one_vehicle(noun: Mention) -> bool:
 
 
 _OPENS = frozenset({"door", "alight"})
+_AT_REST = frozenset({"wait", "stop", "park", "locate", "hide", *_OPENS})
 _DOORED = frozenset({"car", "van", "truck", "emergency_vehicle"})
 _PEOPLE = frozenset({"driver", "pedestrian", "rider"})
 
@@ -152,7 +159,7 @@ def _around(event: Event, tokens: list[Token]) -> Mention | None:
     for prep in event.pps:
         out = "out" in {tokens[event.j - 1].low, tokens[prep.word.i].low}
         opens = event.name in _OPENS and prep.value in {"of", "in", "from"}
-        if opens or (out and prep.value in {"of", "in"}):
+        if opens or (out and prep.value == "of"):
             targets.append(prep.target)
     if tokens[event.j - 1].low == "of" or event.name == "alight":
         targets.append(event.object)  # "jumps out of a van", "gets off the bus"

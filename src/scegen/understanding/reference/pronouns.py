@@ -153,8 +153,8 @@ def _ordinal(roster: Roster, mention: Mention) -> list[Entity]:
 
 def _counted(roster: Roster, mention: Mention, exclude: list[Entity], basis: Basis) -> list[Entity]:
     which = mention.pronoun
-    if mention.whole is not None and mention.whole.entities:  # "one of the cars": no truck
-        whole = mention.whole.entities
+    whole = mention.whole.entities if mention.whole is not None else []
+    if whole:  # "one of the cars": no truck
         exclude = [*exclude, *(e for e in roster.entities if e not in whole)]
     named = [e for e in roster.recent if mention.sides & e.sides and e not in exclude]
     if named and which == "one" and mention.opened_by("def"):
@@ -166,7 +166,8 @@ def _counted(roster: Roster, mention: Mention, exclude: list[Entity], basis: Bas
         opened = [g for g in roster.groups if 0 < len(g.free) < len(g.members)]
         return picked(opened[-1].free if opened else roster.besides(exclude))
     count = int(number.data["number"]) if number is not None else 1
-    free = roster.claim(count, exclude) if which != "further" else []
+    left = [e for e in whole if not e.some]  # "six vehicles: … three cars; one of the cars …"
+    free = (roster.claim(count, exclude) or left[:count]) if which != "further" else []
     if which in {"others", "further"} and not free:
         alike = [e.kind for e in roster.recent if e.is_vehicle and which == "further"]
         kind = (alike or [ParticipantKind.CAR])[-1]

@@ -204,21 +204,20 @@ def _regulate(reading: JunctionReading, said: dict[Control, Basis]) -> None:
 
 
 def _counted_arms(reading: JunctionReading, terms: list[Term], k: int) -> None:
-    """``five-way intersection``, ``with 5 exits``, ``where six roads meet``, ``of five roads``."""
+    """``five-way intersection``, ``with 5 exits``, ``where six roads meet``, ``joins 5 roads``."""
     number = terms[k]
     noun = terms[k + 1] if k + 1 < len(terms) else None
     if noun is None or noun.value not in _ARM_NOUNS or noun.cat not in {"leg", "place"}:
         return
     meets = any(t.value == "approach" for t in terms[k + 2 : k + 4])
-    joined = any(t.value == "junction" for t in terms[max(0, k - _WINDOW) : k + 4])
-    before = [t.value for t in terms[max(0, k - 2) : k]]
-    if noun.value == "road" and not (meets or before == ["junction", "of"]):
-        return
+    joined = any(t.value == "junction" for t in terms[max(0, k - _WINDOW) : k + _WINDOW])
+    before = [t.value for t in terms[max(0, k - 1) : k]]
+    few = number.data.get("number", _FEWEST_ARMS) < _FEWEST_ARMS
+    if few and (noun.value == "road" or before != ["with"]):
+        return  # "where the two branches meet", "down one branch": some of them
     if not joined and not meets:
         return
     basis = Basis(number.i, noun.j)
-    if before[-1:] != ["with"] and number.data.get("number", _FEWEST_ARMS) < _FEWEST_ARMS:
-        return  # "where the two branches meet", "down one branch": some of them
     if number.cat == "num":
         reading.arms, reading.arms_basis = int(min(number.data["number"], 999)), basis
     elif number.value == "vague":

@@ -108,8 +108,8 @@ def _on_its_side(entity: Entity, site: Site) -> None:
 
 def _standing(entity: Entity, context: Context) -> set[Approach]:
     """Where one is seen, as far as said."""
-    seen = (p for p in context.draft.placements_of(entity) if p.reference is None)
-    return {a for p in seen for a in p.approaches}
+    told = context.draft.placements_of(entity)
+    return {a for p in told if p.reference is None or p.reference.ego for a in p.approaches}
 
 
 def _at_sides(entity: Entity, site: Site) -> None:
