@@ -9,10 +9,10 @@ from scegen.scenario.spacings import LENGTHWISE, Measure
 from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts import aside
 from scegen.understanding.amounts.figures import Figure
-from scegen.understanding.amounts.pairs import moment, pair_of, row_of, since, tell_order
-from scegen.understanding.chunks import Mention, Place
-from scegen.understanding.entity import Basis, Entity
-from scegen.understanding.happenings import Amount, Apart, Doing
+from scegen.understanding.amounts.pairs import each_from, moment, pair_of, row_of, since, tell_order
+from scegen.understanding.chunks import Place
+from scegen.understanding.entity import Entity
+from scegen.understanding.happenings import Apart, Doing
 from scegen.understanding.lexicon import word_list
 
 _SOON = 14
@@ -27,13 +27,17 @@ _TOLD_OTHERWISE = "how far apart they are then is told otherwise before; left ou
 def apart(figure: Figure) -> bool:
     """So far lies between two, or from one of a row to the next."""
     spacings, row = figure.text.found.spacings, row_of(figure)
+    amounts = [figure.amount] * len(row)
+    if not row:
+        row, amounts = each_from(figure)
     pair = row[-1] if row else pair_of(figure)
     if pair is None or _ends_up(figure):
         return False
     measure = _sideways(figure, *pair)
     at = moment(figure, measure, *pair)
     if row:
-        spacings += [Apart(measure, a, b, figure.amount, at) for a, b in row]
+        found = zip(row, amounts, strict=True)
+        spacings += [Apart(measure, a, b, amount, at) for (a, b), amount in found]
     else:
         told = _between(figure, measure, *pair, at)
         if any(_otherwise(told, other) for other in spacings):
@@ -88,7 +92,7 @@ def at_rest(figure: Figure) -> bool:
     stops = [a for a in stops if a.always and a.ends_at_rest]  # "must stop 2 m before": it shall
     if pair is None or not stops:
         return False
-    amount = _with_place(figure)
+    amount = figure.with_place
     text.found.spacings.append(Apart(figure.measure, *pair, amount, stops[-1], since="end"))
     return True
 
@@ -118,7 +122,7 @@ def _between(
 ) -> Apart:
     """The spacing of two, the one whose it is first."""
     entity, reference, side, text = one, other, None, figure.text
-    amount = _with_place(figure)
+    amount = figure.with_place
     if measure is Measure.LATERAL_OFFSET_M:
         amount = aside.signed(figure)
     elif measure in {Measure.HEADWAY_S, Measure.TTC_S}:
@@ -130,7 +134,7 @@ def _between(
             s for s in text.found.spacings if s.measure is not measure or s.entity is not entity
         ]  # "with full overlap (100 %)"
     tell_order(figure, one, other)
-    _in_file(figure, measure, entity, reference, amount)
+    _in_file(figure, measure, entity, reference)
     return Apart(measure, entity, reference, amount, at, side, since(text, at, one, other))
 
 
@@ -146,11 +150,11 @@ def to_a_thing(figure: Figure) -> bool:
     nearest = min(here, key=lambda x: x.basis.i or 0)
     if not all(e.ego for e in text.spoken_of(figure.j, nearest.basis.i or 0)):
         return False  # "20 m ahead of the ego a cyclist swerves around a pothole"
-    text.found.spacings.append(Apart(Measure.GAP_M, nearest, text.ego, _with_place(figure)))
+    text.found.spacings.append(Apart(Measure.GAP_M, nearest, text.ego, figure.with_place))
     return True
 
 
-def _in_file(figure: Figure, measure: Measure, one: Entity, other: Entity, amount: Amount) -> None:
+def _in_file(figure: Figure, measure: Measure, one: Entity, other: Entity) -> None:
     """``ego and target at 50 km/h, gap 12 m``: the other is ahead, if no place is said."""
     two = [e for e in (one, other) if not e.ego]
     if measure not in LENGTHWISE or len(two) != 1 or not two[0].is_vehicle:
@@ -160,18 +164,4 @@ def _in_file(figure: Figure, measure: Measure, one: Entity, other: Entity, amoun
     sideways = bool(entity.maneuvers & {Maneuver.LANE_CHANGE, Maneuver.CROSS})
     if not (placed or figure.text.context.meeting or sideways or entity.parked or entity.heading):
         reason = "a gap along the road is one to who is ahead"
-        draft.place(entity, None, {Approach.AHEAD}, amount.basis.because(reason))
-
-
-def _with_place(figure: Figure) -> Amount:
-    """A number with the words of place after it: "15 m in front of"."""
-    amount, noun = figure.amount, figure.noun
-    if figure.after is None:
-        return amount
-    end = figure.after[0].j
-    if isinstance(noun, Mention) and noun.possessor:
-        end = noun.j + 2
-    if isinstance(noun, Place) and noun.kind == "side":
-        end = noun.j
-    basis = amount.basis
-    return Amount(amount.value, Basis(basis.i, min(end, figure.end), basis.reason))
+        draft.place(entity, None, {Approach.AHEAD}, figure.with_place.basis.because(reason))

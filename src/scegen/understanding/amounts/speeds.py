@@ -168,8 +168,8 @@ _BESIDES = frozenset({"prep", "locus", "manner", "aux"})
 def whose(figure: Figure) -> list[tuple[Entity, Quantity]]:
     """Those whose speed it is, with what it is of each of them; none where nothing tells."""
     near = _for_whom(figure) or figure.named_before(_outside(figure))
-    near = near or _of_the_noun(figure) or _opens_with(figure)
-    return [(entity, figure.quantity) for entity in near] or _by_clause(figure)
+    near = near or _of_the_noun(figure) or _opens_with(figure) or _by_clause(figure)
+    return list(zip(near, figure.quantity.each(len(near)), strict=True))
 
 
 def _for_whom(figure: Figure) -> list[Entity]:
@@ -240,7 +240,7 @@ def _opens_with(figure: Figure) -> list[Entity]:
     return list(who.entities) if told else []
 
 
-def _by_clause(figure: Figure) -> list[tuple[Entity, Quantity]]:
+def _by_clause(figure: Figure) -> list[Entity]:
     """The noun's, or of who acts.
 
     In "a van drives at 80 km/h, a bus in the right lane at 60 km/h" the bus does as the van, but
@@ -249,13 +249,9 @@ def _by_clause(figure: Figure) -> list[tuple[Entity, Quantity]]:
     nouns = [(m.mods, m.entities) for m in figure.text.mentions]
     own = {e for mods, who in nouns for m in mods if _is_speed(m) and m.i > figure.i for e in who}
     verbs = [(s.event.mods, [e for e in s.actors if e not in own]) for s in figure.text.scenes]
-    return [
-        (entity, term.data["quantity"])
-        for mods, who in (*nouns, *verbs)
-        for term in mods
-        if (term.i, term.j) == (figure.i, figure.j) and "quantity" in term.data
-        for entity in who
-    ]
+    at = figure.i, figure.j
+    told = (who for mods, who in (*nouns, *verbs) for m in mods if (m.i, m.j) == at)
+    return list(dict.fromkeys(entity for who in told for entity in who))
 
 
 def _has_another(figure: Figure, who: Mention) -> bool:

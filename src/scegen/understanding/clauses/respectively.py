@@ -7,7 +7,6 @@ from itertools import groupby
 
 from scegen.understanding.chunks import Event, Mention, Prep
 from scegen.understanding.phrases.nominal import WAYS
-from scegen.understanding.words.quantities import Quantity
 from scegen.understanding.words.terms import Term
 
 _SHARED = ("compass", "dir")
@@ -17,14 +16,11 @@ def share_out(events: list[Event], terms: list[Term]) -> list[Event]:
     """The events with statements about several participants taken apart.
 
     Nobody drives north and east at once: as many ways as participants are one for each, in
-    order, whether "respectively" is said or not. With it, the same holds for speeds and for
-    verbs ("stop and turn left, respectively").
+    order, whether "respectively" is said or not. With it, the same holds for verbs ("stop and
+    turn left, respectively").
     """
-    marks = [t.i for t in terms if t.value == "respectively"]
-    found: list[Event] = []
-    for event in events:
-        found += _apart(event, any(event.i < mark for mark in marks))
-    for mark in marks:
+    found = [each for event in events for each in _apart(event)]
+    for mark in [t.i for t in terms if t.value == "respectively"]:
         _verbs(found, mark)
     return found
 
@@ -34,12 +30,11 @@ def _members(event: Event) -> list[Mention]:
     return [replace(m, entities=[e]) for m in event.subject for e in m.entities]
 
 
-def _apart(event: Event, respectively: bool) -> list[Event]:
+def _apart(event: Event) -> list[Event]:
     count = len(event.doers)
     if count < 2 or event.alternative is not None:
         return [event]
-    shares = [_ways(event, cat, count) for cat in _SHARED]
-    shares = [s for s in (*shares, _speeds(event, count) if respectively else []) if s]
+    shares = [ways for cat in _SHARED if (ways := _ways(event, cat, count))]
     sides = _sides(event, count)
     if not (shares or sides):
         return [event]
@@ -71,20 +66,6 @@ def _sides(event: Event, count: int) -> list[Prep]:
         if alike and len(sides) == count:
             return sides
     return []
-
-
-def _speeds(event: Event, count: int) -> list[Term]:
-    """``at 50 and 70 km/h``: one quantity term for each number."""
-    given = [m for m in event.mods if m.cat == "quantity" and m.value == "speed"]
-    if len(given) != 1:
-        return []
-    quantity: Quantity = given[0].data["quantity"]
-    if len(quantity.parts) != count:
-        return []
-    return [
-        replace(given[0], data={"quantity": replace(quantity, value=part, note=None)})
-        for part in quantity.parts
-    ]
 
 
 def _verbs(events: list[Event], mark: int) -> None:
