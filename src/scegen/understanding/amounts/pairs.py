@@ -116,10 +116,10 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
 
 def two_between(figure: Figure) -> list[list[Entity]]:
     """``45 m remain between the van and the car``, ``the gap between them is 45 m``: the pair."""
-    text = figure.text
-    mentions = [m for m in text.mentions if figure.start <= m.i < figure.end]
-    opened = ((m, text.low(m.prep.i - 1, m.i).split()) for m in mentions if m.prep is not None)
-    first = next((m for m, w in opened if "between" in w and "from" not in w), None)
+    tokens, extents = figure.text.tokens, word_list("lies_between")
+    mentions = [m for m in figure.text.mentions if figure.start <= m.i < figure.end]
+    opened = ((m, m.prep.i) for m in mentions if m.prep and tokens[m.prep.i].low == "between")
+    first = next((m for m, k in opened if k == figure.j or tokens[k - 1].low in extents), None)
     who = [e for m in mentions if first in (m, m.joined) for e in m.entities] if first else []
     return [who] if len(who) == _PAIR else []
 
@@ -241,8 +241,10 @@ def _opens_with(figure: Figure, acts: list[Doing]) -> list[Doing]:
 
 
 def _as_it_begins(figure: Figure, acts: list[Doing]) -> list[Doing]:
-    """``20 m at the start of its lane change``, ``as the manoeuvre begins``: those told before."""
+    """``20 m at the start of its lane change``, ``the gap is 20 m then``: those told before."""
     text = figure.text
+    if text.find("at_that_moment", figure.start, figure.end):
+        return [a for a in acts if a.i < figure.start and not text.acts(figure.start, figure.end)]
     at, end = text.find("onsets", figure.start, figure.end) or (0, 0)
     named = text.within(end, end + 3) or text.find("manoeuvres", at, end + 3)
     return [a for a in acts if a.i < at] if named else []
