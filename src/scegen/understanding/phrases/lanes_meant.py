@@ -81,9 +81,7 @@ def _lane(chunk: Chunk, k: int, chunks: list[Chunk], named: Place | None) -> Pla
     used = isinstance(before, Event) and before.name == "use"
     if chunk.pronoun == "one":
         side = before if isinstance(before, Place) and before.kind in {"side", "middle"} else chunk
-        middle = (
-            side is before and side.kind == "middle"
-        )  # "three lanes; the ego in the middle one"
+        middle = isinstance(side, Place) and side.kind == "middle"  # "of three, in the middle one"
         meant = (whole or named) is not None and (middle or _sided(side))
         if used and chunk.has("dir", "opposite"):
             return _as_lane(chunk, chunk)  # "leaves its lane and uses the oncoming one"
