@@ -205,6 +205,7 @@ def _before_turn(told: Told, name: str, view: View) -> Ints:
 def _may_react(told: Told, name: str) -> bool:
     """Whether something happens to it: the ego, and whom others endanger, or meet by their acts."""
     acting = {act.participant for act in told.functional.acts}
+    acting |= {d.participant for d in told.logical.drives if d.changes_to is not None}
     acting |= {by for hazard in told.hazards for by in hazard.by}
     return name == told.ego or bool(acting & told.concerned_by(name))
 

@@ -29,6 +29,8 @@ def is_ahead(story: Story, who: str, other: str) -> bool:
     first, second = story.runners[who], story.runners[other]
     if first.forward != second.forward:
         return True
+    if story.lets_by(who, other) or story.lets_by(other, who):
+        return story.lets_by(other, who)
     for name, reference, sign in ((who, other, True), (other, who, False)):
         words = words_between(story.functional, name, reference)
         if (Approach.AHEAD in words) != (Approach.BEHIND in words):
@@ -40,7 +42,7 @@ def is_ahead(story: Story, who: str, other: str) -> bool:
         mover, stays = story.runners[name], story.runners[reference]
         over = comes_in(mover, stays) is not None
         if into or (over and not stays.moves):
-            return sign != story.lets_by(name, reference)
+            return sign
     if first.stands != second.stands:
         return first.stands
     order = story.ranks()

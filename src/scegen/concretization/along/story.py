@@ -14,7 +14,7 @@ from scegen.motion.model import Array
 from scegen.road.cross_section import median_half_m
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import Body
-from scegen.scenario.logical import Drive
+from scegen.scenario.logical import Drive, Rule
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.roadway import BAYS, Carriageway
 from scegen.scenario.things import Thing
@@ -138,9 +138,19 @@ class Story(Tale):
         return any(pair <= {*hazard.by, *hazard.to} for hazard in self.functional.hazards)
 
     def lets_by(self, who: str, other: str) -> bool:
-        """Whether one gives way to another, and so comes into its lane behind it."""
-        mine = (a for a in self.functional.acts if a.participant == who and a.into == other)
-        return any(a.kind is ActKind.GIVE_WAY for a in mine)
+        """Whether one gives way to another, and so comes into its lane behind it.
+
+        By an act, or as the rules say to a faster one, where no danger or number says otherwise.
+        """
+        functional, pair = self.functional, {who, other}
+        acts = [(a.participant, a.kind, a.into) for a in functional.acts]
+        if (who, ActKind.GIVE_WAY, other) in acts:
+            return True
+        owed = any(c.yields == who and c.rule is Rule.LANE_CHANGE and pair == {c.first, c.second}
+                   for c in self.logical.conflicts)  # fmt: skip
+        told = any(pair == {s.participant, s.reference} for s in functional.spacings)
+        told |= bool(self.kinds_by(who) or functional.outcome) or other in {a[0] for a in acts}
+        return owed and not told and self.runners[other].speed_mps > self.runners[who].speed_mps
 
     def stopped_before(self, act: Act) -> SpeedChange | None:
         """The stopping of another before whom one is said to stop, and so answers it."""

@@ -82,7 +82,7 @@ def _give(doing: Doing, figure: Figure, name: str) -> bool:
     if role == "lateral_move":
         doing = _further(doing, figure) if name in doing.amounts else doing
         _side(doing, figure)
-        if both := figure.text.find("both_ways", figure.j, figure.j + _SIDE_REACH):
+        if both := figure.text.find("both_ways", doing.i, figure.j + _SIDE_REACH):
             _to_both_sides(doing, figure, amount, Basis(*both, "which side first is not said"))
     for same in figure.text.acts(doing.i, doing.i + 1, {doing.kind}):  # "both brake with 6 m/s²"
         same.amounts.setdefault(name, amount)

@@ -116,7 +116,7 @@ class Figure(Clause):
             inside = self.text.within(clause[0], self.i)
             told = [s for s in inside if s.event.name != "move"] or main
             return told[-1].event if told else None
-        if scene is None or clause is None or clause[0] <= scene.event.i:
+        if scene is None or clause is None or clause[0] <= scene.event.i < clause[1]:
             return scene.event if scene is not None else None
         return scene.event if self._modifies(scene.event) else None
 
@@ -230,17 +230,20 @@ class Figure(Clause):
         return list(later[-1].entities if later else last.actors)
 
     def _owner(self) -> list[Entity]:
-        """``its speed is 50 km/h``, ``my speed``: whose a measure is that opens a sentence."""
-        start, mentions = self.start, self.text.mentions
-        word = self.text.tokens[start].low
-        if word not in word_list("its_own") or any(start < m.i < self.i for m in mentions):
+        """``its speed is 50 km/h``, ``my speed``, ``their rears are 20 m away``: whose that is."""
+        mentions, lows = self.text.mentions, [t.low for t in self.text.tokens[: self.i]]
+        last = max([self.start - 1, *(m.i for m in mentions if m.i < self.i)])
+        whose = [k for k in range(last + 1, self.i) if lows[k] in word_list("its_own")]
+        start = whose[-1] if whose else -1
+        if not whose or not (start == self.start or lows[-1] in word_list("links")):
             return []
-        if word in {"my", "our"}:
+        if lows[start] in {"my", "our"}:
             return [e for m in mentions for e in m.entities if e.ego][:1]
         before = [m for m in mentions if m.i < start and m.entities and not m.possessor]
-        opening = self.text.bounds(start - 2)[0] if start > 1 else start
-        said = [m for m in before if m.i >= opening and m.prep is None]
-        return list((said or before)[0 if said else -1].entities) if before else []
+        opening = self.text.bounds(self.start - 2)[0] if self.start > 1 else self.start
+        said = [m for m in before if m.i >= opening and m.prep is None] or before[-1:]
+        count = len(said) if lows[start] == "their" else 1
+        return list(dict.fromkeys(e for m in said[:count] for e in m.entities))
 
     @cached_property
     def after(self) -> tuple[Word, NounPhrase | None] | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 
 from scegen.scenario.acts import ActKind
@@ -11,7 +12,7 @@ from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.telling import CHANGING, Telling
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.entity import Entity
-from scegen.understanding.happenings import Doing, Since
+from scegen.understanding.happenings import Amount, Doing, Since
 from scegen.understanding.lexicon import word_list
 
 _AHEAD = {Approach.AHEAD}
@@ -39,6 +40,18 @@ def row_of(figure: Figure) -> list[tuple[Entity, Entity]]:
     known = all(b in leaders[a] for a, b in pairs)
     # or in whichever order: they are alike
     return pairs if known or (not any(leaders.values()) and _in_one_file(members, text)) else []
+
+
+def each_from(figure: Figure) -> tuple[list[tuple[Entity, Entity]], list[Amount]]:
+    """``they are 20 m and 45 m ahead``: each of two so far from a third, by a number of its own."""
+    text, quantity = figure.text, figure.quantity
+    named = (figure.subject, figure.actors, text.spoken_of(figure.start, figure.i))
+    who = next((w for w in named if len(w) == len(quantity.parts)), [])
+    other = next((e for e in (*text.named(figure.noun), text.ego) if e not in who), None)
+    if other is None or not quantity.joined:
+        return [], []
+    each = (replace(figure.amount, value=part.value) for part in quantity.each(len(who)))
+    return [(entity, other) for entity in who], list(each)
 
 
 def _in_one_file(members: list[Entity], text: Telling) -> bool:
@@ -78,8 +91,9 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     pronoun = isinstance(noun, Mention) and noun.pronoun is not None
     named = [] if pronoun and named == subject else named  # "and the ego, 15 m behind it"
     pairs = [m.entities for m in before if len(m.entities) == _PAIR]
-    if figure.words_around.opens("between_two") and pairs:
-        return pairs[-1][0], pairs[-1][1]
+    between = two_between(figure) or (pairs[-1:] if figure.led_by == "apart" else [])
+    if between:
+        return between[-1][0], between[-1][1]
     bracketed = _bracketed(figure)
     if bracketed is not None and subject and bracketed not in subject:
         return subject[0], bracketed
@@ -98,6 +112,16 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     first = subject[0] if subject else named[0] if named else text.ego
     other = text.counterpart(first, text.spoken_of(0, figure.i))
     return (first, other) if other is not None and other is not first else None
+
+
+def two_between(figure: Figure) -> list[list[Entity]]:
+    """``45 m remain between the van and the car``, ``the gap between them is 45 m``: the pair."""
+    tokens, extents = figure.text.tokens, word_list("lies_between")
+    mentions = [m for m in figure.text.mentions if figure.start <= m.i < figure.end]
+    opened = ((m, m.prep.i) for m in mentions if m.prep and tokens[m.prep.i].low == "between")
+    first = next((m for m, k in opened if k == figure.j or tokens[k - 1].low in extents), None)
+    who = [e for m in mentions if first in (m, m.joined) for e in m.entities] if first else []
+    return [who] if len(who) == _PAIR else []
 
 
 def before_they_meet(figure: Figure) -> list[Entity] | None:
@@ -217,8 +241,10 @@ def _opens_with(figure: Figure, acts: list[Doing]) -> list[Doing]:
 
 
 def _as_it_begins(figure: Figure, acts: list[Doing]) -> list[Doing]:
-    """``20 m at the start of its lane change``, ``as the manoeuvre begins``: those told before."""
+    """``20 m at the start of its lane change``, ``the gap is 20 m then``: those told before."""
     text = figure.text
+    if text.find("at_that_moment", figure.start, figure.end):
+        return [a for a in acts if a.i < figure.start and not text.acts(figure.start, figure.end)]
     at, end = text.find("onsets", figure.start, figure.end) or (0, 0)
     named = text.within(end, end + 3) or text.find("manoeuvres", at, end + 3)
     return [a for a in acts if a.i < at] if named else []

@@ -9,7 +9,7 @@ from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts import aside
 from scegen.understanding.amounts.figures import Figure
-from scegen.understanding.amounts.pairs import moment, pair_of, row_of, since, tell_order
+from scegen.understanding.amounts.pairs import each_from, moment, pair_of, row_of, since, tell_order
 from scegen.understanding.chunks import Place
 from scegen.understanding.entity import Entity
 from scegen.understanding.happenings import Apart, Doing
@@ -27,13 +27,17 @@ _TOLD_OTHERWISE = "how far apart they are then is told otherwise before; left ou
 def apart(figure: Figure) -> bool:
     """So far lies between two, or from one of a row to the next."""
     spacings, row = figure.text.found.spacings, row_of(figure)
+    amounts = [figure.amount] * len(row)
+    if not row:
+        row, amounts = each_from(figure)
     pair = row[-1] if row else pair_of(figure)
     if pair is None or _ends_up(figure):
         return False
     measure = _sideways(figure, *pair)
     at = moment(figure, measure, *pair)
     if row:
-        spacings += [Apart(measure, a, b, figure.amount, at) for a, b in row]
+        found = zip(row, amounts, strict=True)
+        spacings += [Apart(measure, a, b, amount, at) for (a, b), amount in found]
     else:
         told = _between(figure, measure, *pair, at)
         if any(_otherwise(told, other) for other in spacings):

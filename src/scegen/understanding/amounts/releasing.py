@@ -7,7 +7,7 @@ from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Maneuver
 from scegen.understanding.amounts.figures import Figure, has_a_size
 from scegen.understanding.amounts.items import item_of, kind_of, number_them
-from scegen.understanding.amounts.pairs import before_they_meet, tell_order
+from scegen.understanding.amounts.pairs import before_they_meet, tell_order, two_between
 from scegen.understanding.chunks import Mention, Place, Thing
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Doing
@@ -65,7 +65,7 @@ def _comes_down(figure: Figure, doing: Doing, subject: Entity, line: Place | Non
     other = named[0] if named else doing.entity if subject is not doing.entity else doing.into
     near = [e for e in text.spoken_of(0, figure.i) if e is not subject]
     other = other or text.counterpart(subject, near)
-    if meeting := before_they_meet(figure):
+    for meeting in [m for m in (before_they_meet(figure), *two_between(figure)) if m]:
         subject, other = meeting[0], next(iter(meeting[1:]), None)
     if other is None or other is subject:
         return False

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from scegen.scenario.acts import SLOWING, ActKind
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.model import Interval
@@ -188,15 +186,12 @@ def whose(figure: Figure) -> list[tuple[Entity, Quantity]]:
 
 def _one_each(whom: list[Entity], figure: Figure) -> list[tuple[Entity, Quantity]]:
     """``ego and van at 50 and 70 km/h``: as many as participants, in order; one is that of all."""
-    parts, words = figure.quantity.parts, figure.text.low(figure.i, figure.j)
+    parts = figure.quantity.parts
     last = next((m for m in reversed(figure.text.mentions) if m.j <= figure.i), None)
     if last is not None and last.joined is not None and whom == last.entities:
         own = len(parts) == _PAIR or any((m.i, m.j) == (figure.i, figure.j) for m in last.mods)
         whom = [*last.joined.entities, *whom] if own else whom
-    each = len(parts) == len(whom) and " and " in words and not words.startswith(" between ")
-    one = replace(figure.quantity, note=None)
-    shares = [replace(one, value=p) for p in parts] if each else [figure.quantity] * len(whom)
-    return list(zip(whom, shares, strict=True))
+    return list(zip(whom, figure.quantity.each(len(whom)), strict=True))
 
 
 def _for_whom(figure: Figure) -> list[Entity]:

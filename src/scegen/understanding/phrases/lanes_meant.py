@@ -79,11 +79,13 @@ def _lane(chunk: Chunk, k: int, chunks: list[Chunk], named: Place | None) -> Pla
         return None
     used = isinstance(before, Event) and before.name == "use"
     if chunk.pronoun == "one":
-        side = before if isinstance(before, Place) and before.kind == "side" else chunk
-        meant = (whole or named) is not None and _sided(side)
+        side = before if isinstance(before, Place) and before.kind in {"side", "middle"} else chunk
+        middle = isinstance(side, Place) and side.kind == "middle"  # "of three, in the middle one"
+        meant = (whole or named) is not None and (middle or _sided(side))
         if used and chunk.has("dir", "opposite"):
             return _as_lane(chunk, chunk)  # "leaves its lane and uses the oncoming one"
-        return _as_lane(side, chunk) if meant and side.head in (None, chunk.head) else None
+        alone = middle or side.head in (None, chunk.head)
+        return _as_lane(side, chunk) if meant and alone else None
     if chunk.pronoun == "it" and named is not None and (used or word == "in"):
         return replace(_as_lane(chunk, chunk), mods=named.ways)
     return None

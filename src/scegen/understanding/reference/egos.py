@@ -7,6 +7,7 @@ from itertools import pairwise
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Word
 from scegen.understanding.entity import Basis, Entity
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.mention_words import Reading
 from scegen.understanding.reference.roster import Group, Roster, claimed
 from scegen.understanding.words.numbers import POSITIONS
@@ -57,13 +58,13 @@ def last_is_ego(roster: Roster, mention: Mention) -> None:
 
 
 def ego_by_order(roster: Roster, mention: Mention) -> None:
-    """``three cars in a row …, the ego is the last``, ``the ego second``: one of them."""
+    """``three cars in a row …, we are the last``, ``the ego second``, ``with it as third``."""
     begin = mention.j + (low_at(roster.tokens, mention.j) == ",")  # "and the ego, last, …"
     after = roster.tokens[begin : begin + 3]
     words = [t.low for t in after]
-    said = words[:1] in (["is"], ["being"])
+    said = not word_list("counting_as").isdisjoint(words[:1])
     told = words[1 + (words[1:2] == ["the"]) :] if said else words
-    alone = said or len(words) < 2 or after[1].kind == "punct"
+    alone = said or len(words) < 2 or after[1].kind == "punct" or mention.stands_after("with")
     position = POSITIONS.get(told[0]) if told and alone else None
     if position is None or roster.draft.ego is not None or not roster.groups:
         return

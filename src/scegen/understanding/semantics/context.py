@@ -93,6 +93,9 @@ def span(event: Event, i: int, j: int) -> Basis:
     return Basis(start, end)
 
 
+_FILES = ({Approach.AHEAD}, {Approach.BEHIND})
+
+
 @dataclass(slots=True)
 class Context:
     """The scenario in the making, as the rules of meaning see it."""
@@ -143,8 +146,11 @@ class Context:
         return any(approach in p.approaches for p in self.draft.placements_of(entity))
 
     def oncoming(self, entity: Entity) -> bool:
-        """Whether a vehicle is said to come from the front."""
-        return self.placed(entity, Approach.OPPOSITE)
+        """Whether a vehicle comes from the front, or on a road in one file with one that does."""
+        files = (p for p in self.draft.placements if p.approaches in _FILES and not self.meeting)
+        pairs = [(p.entity, p.reference) for p in files if entity in (p.entity, p.reference)]
+        near = {e for pair in [(entity, None), *pairs] for e in pair if e is not None}
+        return any(self.placed(e, Approach.OPPOSITE) for e in near)
 
     def from_the_side(self, entity: Entity) -> bool:
         """Who comes from a road at the side does not turn across oncoming traffic."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 
 from scegen.scenario.model import Interval
@@ -36,6 +36,7 @@ class Quantity:
         j: index after the last token.
         note: how a vague word was read, if there was one.
         parts: the numbers one by one, as they are written.
+        joined: whether they are several ("20 and 45 m"), not a range ("between 20 and 45 m").
     """
 
     dimension: str
@@ -44,6 +45,13 @@ class Quantity:
     j: int
     note: str | None = None
     parts: tuple[Interval, ...] = ()
+    joined: bool = False
+
+    def each(self, count: int) -> list[Quantity]:
+        """One of the numbers for each of so many, in order; else the whole for all of them."""
+        if not self.joined or len(self.parts) != count:
+            return [self] * count
+        return [replace(self, value=p, parts=(p,), note=None, joined=False) for p in self.parts]
 
     @property
     def exact(self) -> Interval:
@@ -199,7 +207,9 @@ def _build(tokens: list[Token], i: int, j: int, values: list[float], dimension: 
     elif last in _ABOUT:
         note = f"'{last}' is read as 10 % to either side"
         value = Interval(low=low * (1 - _SPREAD), high=high * (1 + _SPREAD))
-    return Quantity(dimension, value, i, j, note, parts)
+    lows = [t.low for t in tokens[i:j]]
+    joined = len(values) > 1 and "and" in lows and lows[0] != "between"
+    return Quantity(dimension, value, i, j, note, parts, joined)
 
 
 def _goes_over(tokens: list[Token], i: int) -> bool:
