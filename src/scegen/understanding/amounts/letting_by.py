@@ -22,7 +22,9 @@ def let_by(clause: Clause, text: Telling) -> list[Entity]:
     if event.name == "yield":
         return clause.targets or _coming_across(clause, text)
     if event.lemma == "let":
-        return clause.targets if any(c.name in _GOES for c in event.children) else []
+        behind = event.object.j if event.object is not None else event.j
+        past = word_list("past_by").intersection(text.context.lows(behind, behind + 1))
+        return clause.targets if past or any(c.name in _GOES for c in event.children) else []
     if event.name not in _HOLDING:
         return []
     given = [p for p in event.pps if p.value == "for"]

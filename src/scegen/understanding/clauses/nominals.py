@@ -74,7 +74,8 @@ def read_mention(mention: Mention, state: State) -> None:
 
 def _resume(part: Mention, state: State) -> None:
     """``four cars, one of them a taxi, meet``: the four meet, not the one."""
-    before = next((m for m in reversed(state.mentions) if m.i < part.i), None)
+    named = (m for m in state.mentions if m.i < part.i and m.heads and m.same_as is None)
+    before = next(reversed(list(named)), None)
     if before is None or state.candidate is not part:
         return
     state.candidate = state.anchor = before

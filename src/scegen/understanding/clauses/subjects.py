@@ -292,6 +292,7 @@ def _by_doing(event: Event, done_to: Event, told: bool, state: State) -> bool:
 
 
 def _last_of(noun: Mention, event: Event) -> list[Mention]:
-    """``passes the ego and the van driving in front of it``: the van, and not both."""
+    """``passes the ego and a van driving on``, ``a bus on the left and a van braking``: the van."""
     listed = chain(noun)
-    return [noun] if not event.finite and any(m.is_ego for m in listed) else listed
+    apart = any(m.is_ego or m.pps for m in listed[:-1])
+    return [noun] if not event.finite and apart else listed

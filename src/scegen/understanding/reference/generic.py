@@ -98,6 +98,7 @@ _OWED = frozenset({"yield", "stop", "brake", "slow", "wait", "turn", "move", "u_
 
 _HIDING = frozenset({"hide", "block"})
 """What is not done if nothing does it; it is told of nobody in particular."""
+_ASKED = frozenset({"inert", "try", "encounter", "light"})
 _NONE = frozenset({"nobody", "everybody"})
 
 
@@ -115,6 +116,19 @@ def deny_of_everybody(events: list[Event]) -> None:
         event.negated = True
         for mention in named:
             mention.negated, mention.pronoun = False, "everybody"
+
+
+def answer(events: list[Event], tokens: list[Token]) -> None:
+    """``Did it brake? No``: it did not; ``you know the bend?``: who is asked takes no part."""
+    marks = [k for k, token in enumerate(tokens) if token.low in {".", "!", "?"}]
+    for event in events:
+        mark = next((k for k in marks if k >= event.j), None)
+        if mark is None or tokens[mark].low != "?":
+            continue
+        reply = next((t.low for t in tokens[mark + 1 :] if t.kind == "word"), "")
+        event.negated = event.negated or reply in word_list("refusing")
+        for who in event.subject if event.name in _ASKED else []:
+            who.negated = who.negated or tokens[who.i].low == "you"
 
 
 def everybody(mention: Mention, draft: Draft) -> list[Entity]:

@@ -25,7 +25,7 @@ def stand_for_vehicles(chunks: list[Chunk], events: list[Event], tokens: list[To
     _own_vehicles(events)
     _vehicles_of_parties(chunks)
     _drivers(events)
-    _ridden(chunks, tokens)
+    _ridden(chunks, events, tokens)
     _own_people(chunks, events, tokens)
 
 
@@ -64,10 +64,14 @@ def _drivers(events: list[Event]) -> None:
                 prep.who.same_as = event.subject[-1]
 
 
-def _ridden(chunks: list[Chunk], tokens: list[Token]) -> None:
-    """``I'm on a motorbike``, ``we sit in a coach``: whoever tells it stands for it."""
-    for teller in [c for c in chunks if isinstance(c, Mention) and tells(c)]:
-        aboard = [p.who for p in teller.pps if tokens[p.word.i].low in word_list("aboard")]
+def _ridden(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
+    """``I'm on a motorbike``, ``he came from the left, in a van``: they stand for it."""
+    told = [(c, c.pps) for c in chunks if isinstance(c, Mention)]
+    told += [(e.subject[-1], e.pps) for e in events if e.subject and e.object is None]
+    for teller, phrases in told:
+        if not tells(teller) and tokens[teller.i].low not in word_list("persons"):
+            continue
+        aboard = [p.who for p in phrases if tokens[p.word.i].low in word_list("aboard")]
         for what in aboard:
             if what is not None and what.same_as is None and is_one_vehicle(what):
                 what.same_as = teller
