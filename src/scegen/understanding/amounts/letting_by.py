@@ -12,7 +12,7 @@ from scegen.understanding.semantics.context import Clause
 
 _GOES = frozenset({"pass", "cross", "move", "enter", "turn", "walk", "overtake", "merge"})
 _ACROSS = frozenset({Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE})
-_HOLDING = frozenset({"wait", "stop"})
+_HOLDING, _NEAR = frozenset({"wait", "stop"}), 5
 _GOING = frozenset({"move", "turn", "enter", "accelerate", "leave", "overtake", "cross"})
 
 
@@ -22,8 +22,7 @@ def let_by(clause: Clause, text: Telling) -> list[Entity]:
     if event.name == "yield":
         return clause.targets or _coming_across(clause, text)
     if event.lemma == "let":
-        behind = event.object.j if event.object is not None else event.j
-        past = word_list("past_by").intersection(text.context.lows(behind, behind + 1))
+        past = word_list("past_by").intersection(text.context.lows(event.j, event.j + _NEAR))
         return clause.targets if past or any(c.name in _GOES for c in event.children) else []
     if event.name not in _HOLDING:
         return []

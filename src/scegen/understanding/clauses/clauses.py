@@ -69,8 +69,8 @@ class ClauseReader:
         elif word.cat in ADVERBS or word.cat == "state":
             if not (self._denied_way(word) or self._heading_of_a_noun(word)):
                 self._adverb(word)
-        elif state.prep is not None and (word.value == "either" or self._opens_noun(word)):
-            return  # "from either the left or the right", "without the two touching"
+        elif self._opens_noun(word) or (state.prep is not None and word.value == "either"):
+            return  # "from either the left or the right", "overtakes the two of us"
         else:
             release(self._state)
             if word.value not in {"(", ")"}:

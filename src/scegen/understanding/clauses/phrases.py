@@ -57,13 +57,12 @@ def bracketed(state: State) -> bool:
 
 
 def _names_before(state: State) -> bool:
-    """``struck V2, an oncoming pickup.``: a noun without a name after one with a name."""
+    """``struck V2, a pickup.``, ``V1, also a car and …``: a noun without a name after a name."""
     here, before = state.at(0), state.anchor
     if state.between != {","} or not isinstance(before, Mention) or not isinstance(here, Mention):
         return False
     following = state.at(1)
-    also = is_word(state.at(-1), "mild")  # "V1, also a car and coming from behind, …"
-    listed = isinstance(following, Word) and following.cat == "conj" and not also
+    listed = getattr(following, "cat", "") == "conj" and not is_word(state.at(-1), "mild")
     acts = isinstance(following, Event) and following.form != "ing"
     named = before.is_named and not here.is_named
     told = here.has("det", "indef") or (here.is_ego and bool(here.mods))

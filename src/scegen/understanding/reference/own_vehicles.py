@@ -67,7 +67,9 @@ def _drivers(events: list[Event]) -> None:
 def _ridden(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
     """``I'm on a motorbike``, ``he came from the left, in a van``: they stand for it."""
     told = [(c, c.pps) for c in chunks if isinstance(c, Mention)]
-    told += [(e.subject[-1], e.pps) for e in events if e.subject and e.object is None]
+    for event in (e for e in events if e.subject):  # "went through red, in a van"
+        own = (p for p in event.pps if not event.object or tokens[p.word.i - 1].low == ",")
+        told.append((event.subject[-1], list(own)))
     for teller, phrases in told:
         if not tells(teller) and tokens[teller.i].low not in word_list("persons"):
             continue

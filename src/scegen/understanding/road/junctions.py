@@ -213,7 +213,7 @@ def _regulate(reading: JunctionReading, said: dict[Control, Basis]) -> None:
 
 
 def _counted_arms(reading: JunctionReading, terms: list[Term], k: int) -> None:
-    """``five-way intersection``, ``with 5 exits``, ``where six roads meet``, ``of five roads``."""
+    """``five-way intersection``, ``where six roads meet``, ``with five roads``."""
     number = terms[k]
     noun = terms[k + 1] if k + 1 < len(terms) else None
     if noun is None or noun.value not in _ARM_NOUNS or noun.cat not in {"leg", "place"}:
@@ -221,12 +221,14 @@ def _counted_arms(reading: JunctionReading, terms: list[Term], k: int) -> None:
     meets = any(t.value == "approach" for t in terms[k + 2 : k + 4])
     joined = any(t.value == "junction" for t in terms[max(0, k - _WINDOW) : k + 4])
     before = [t.value for t in terms[max(0, k - 2) : k]]
-    if noun.value == "road" and not (meets or before == ["junction", "of"]):
+    few = number.data.get("number", _FEWEST_ARMS) < _FEWEST_ARMS
+    told = before == ["junction", "of"] or (before == ["junction", "with"] and not few)
+    if noun.value == "road" and not (meets or told):
         return
     if not joined and not meets:
         return
     basis = Basis(number.i, noun.j)
-    if before[-1:] != ["with"] and number.data.get("number", _FEWEST_ARMS) < _FEWEST_ARMS:
+    if before[-1:] != ["with"] and few:
         return  # "where the two branches meet", "down one branch": some of them
     if number.cat == "num":
         reading.arms, reading.arms_basis = int(min(number.data["number"], 999)), basis
