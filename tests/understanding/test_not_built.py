@@ -51,6 +51,7 @@ def test_a_lane_beyond_those_that_are_built_is_refused(text, most):
 @pytest.mark.parametrize(
     ("text", "number"),
     [
+        ("At a roundabout with five flags a van turns off in front of the ego.", "five"),
         ("The ego follows a van that brakes five times.", "five"),
         ("The ego drives in lane 7 of a motorway.", "7"),
     ],

@@ -40,7 +40,7 @@ from scegen.understanding.phrases.repeated import repeat, which_is_it
 from scegen.understanding.phrases.telegrams import spell_out
 from scegen.understanding.phrases.which_road import name_roads
 from scegen.understanding.reference.discourse import Discourse
-from scegen.understanding.reference.generic import deny_of_everybody
+from scegen.understanding.reference.generic import answer, deny_of_everybody
 from scegen.understanding.reference.resolving import resolve_mentions
 from scegen.understanding.road.each_arm import count_arms, share_arms
 from scegen.understanding.road.junctions import JunctionReading, read_junction
@@ -122,6 +122,7 @@ def read(text: str) -> FunctionalScenario:
     chunks = open_doors(repeat(silence(chunks), tokens), tokens)
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     deny_of_everybody(events)
+    answer(events, tokens)
     who_comes(chunks, events)
     named_again(events)
     names_another(events)

@@ -12,7 +12,7 @@ from scegen.understanding.semantics.context import Clause
 
 _GOES = frozenset({"pass", "cross", "move", "enter", "turn", "walk", "overtake", "merge"})
 _ACROSS = frozenset({Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE})
-_HOLDING = frozenset({"wait", "stop"})
+_HOLDING, _NEAR = frozenset({"wait", "stop"}), 5
 
 
 def let_by(clause: Clause, text: Telling) -> list[Entity]:
@@ -21,7 +21,8 @@ def let_by(clause: Clause, text: Telling) -> list[Entity]:
     if event.name == "yield":
         return clause.targets or _coming_across(clause, text)
     if event.lemma == "let":
-        return clause.targets if any(c.name in _GOES for c in event.children) else []
+        past = word_list("past_by").intersection(text.context.lows(event.j, event.j + _NEAR))
+        return clause.targets if past or any(c.name in _GOES for c in event.children) else []
     if event.name not in _HOLDING:
         return []
     given = [p for p in event.pps if p.value == "for"]

@@ -37,7 +37,7 @@ _UNSETTLED = "from which side lanes are counted is not said, so the number names
 def settle_along(draft: Draft, ego: Entity, happenings: Happenings) -> None:
     """On a straight road, who stands or walks in the lane is ahead; lanes of one name are one.
 
-    So is whoever drives there, where the ego brakes.
+    So is whoever drives there, where the ego brakes or is faster.
     """
     brakes = ego in draft.causing(*_BRAKING)
     aside = any(a.entity is ego and a.kind in _ASIDE and a.side for a in happenings.acts)
@@ -53,7 +53,8 @@ def settle_along(draft: Draft, ego: Entity, happenings: Happenings) -> None:
             basis = entity.stands.because("who stands in the lane is ahead")
             entity.comes_from({Approach.AHEAD}, basis)
         if entity.in_egos_lane is not None and alone and entity.moving_vehicle:
-            either = set() if entity.stands or brakes else {Approach.BEHIND}
+            slower = entity.speed and ego.speed and entity.speed.high < ego.speed.low
+            either = set() if entity.stands or brakes or slower else {Approach.BEHIND}
             entity.comes_from({Approach.AHEAD, *either}, entity.in_egos_lane)
         if not entity.is_vehicle:
             _afoot(entity, alone=alone)

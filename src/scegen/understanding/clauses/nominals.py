@@ -73,7 +73,7 @@ def read_mention(mention: Mention, state: State) -> None:
 
 def _resume(part: Mention, state: State) -> None:
     """``four cars, one of them a taxi, meet``: the four meet, not the one."""
-    before = next((m for m in reversed(state.mentions) if m.i < part.i), None)
+    before = next((m for m in reversed(state.mentions) if m.heads and m.same_as is None), None)
     if before is None or state.candidate is not part:
         return
     state.candidate = state.anchor = before
@@ -190,6 +190,8 @@ def _prepositional(mention: Mention, prep: Prep, state: State) -> None:
 def _owns_place(mention: Mention, state: State) -> bool:
     """``the path of the bus``, ``to the left of the truck``: whose place it is."""
     place = state.at(-2)
+    if isinstance(place, Thing) and place is state.topic:
+        place.owner = mention  # "the headlamps of a van come towards us"
     if not isinstance(place, Place) or place.kind not in _OWNED or place.owner is not None:
         return False
     place.owner = mention

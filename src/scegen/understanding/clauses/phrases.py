@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Word
 from scegen.understanding.clauses.state import State
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import chunk_at, is_word, predicate_opens
 
 _RELATIVE = 3
@@ -56,12 +57,12 @@ def bracketed(state: State) -> bool:
 
 
 def _names_before(state: State) -> bool:
-    """``struck V2, an oncoming pickup.``: a noun without a name after one with a name."""
+    """``struck V2, a pickup.``, ``V1, also a car and …``: a noun without a name after a name."""
     here, before = state.at(0), state.anchor
     if state.between != {","} or not isinstance(before, Mention) or not isinstance(here, Mention):
         return False
     following = state.at(1)
-    listed = isinstance(following, Word) and following.cat == "conj"
+    listed = getattr(following, "cat", "") == "conj" and not is_word(state.at(-1), "mild")
     acts = isinstance(following, Event) and following.form != "ing"
     named = before.is_named and not here.is_named
     told = here.has("det", "indef") or (here.is_ego and bool(here.mods))
@@ -69,8 +70,10 @@ def _names_before(state: State) -> bool:
 
 
 def partitive_before(state: State) -> Mention | None:
-    """``four of them trucks``, ``one of which a bus``: the noun says what kind they are."""
+    """``four of them trucks``, ``one a bus``: the noun says what kind they are."""
     part, of, whole = (state.at(n) for n in (-3, -2, -1))
+    if isinstance(whole, Mention) and whole.pronoun in word_list("parts"):
+        return whole
     if not isinstance(part, Mention) or not is_word(of, "of"):
         return None
     named = isinstance(whole, Mention) and whole.pronoun == "they"

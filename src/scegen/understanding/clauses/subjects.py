@@ -26,6 +26,7 @@ _DESCRIBING = PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate"
 """Verbs whose participle describes a noun ("a man hidden behind a van")."""
 
 _PASSING = frozenset({"overtake", "bypass", "pass"})
+_OF_PARTS = frozenset({"collide", "appear", "approach", "swerve"})  # and so of whom they are
 _SHOWN = frozenset({"encounter", "cause", "prevent"})
 """Verbs that say what their object is doing."""
 
@@ -91,10 +92,10 @@ def _said_of_a_thing(event: Event, state: State) -> None:
     if "aux:be" in state.between:
         if passive:
             event.passive, event.object = event.name in PASSIVE, topic
-    elif topic is not None and (event.name == "collide" or is_word(state.at(1), "into")):
+    elif topic is not None and (event.name in _OF_PARTS or is_word(state.at(1), "into")):
         its = state.main if topic.has("possessive", "its") else []
         its = [teller_at(topic.i)] if topic.has("possessive", "first_person") else its
-        # "the front of the van struck …", "its front struck …", "my bumper runs into …"
+        # "the front of the van struck …", "its front appears …", "my bumper runs into …"
         event.subject = [topic.owner] if topic.owner is not None else its
 
 
@@ -279,6 +280,7 @@ def _by_doing(event: Event, done_to: Event, told: bool, state: State) -> bool:
 
 
 def _last_of(noun: Mention, event: Event) -> list[Mention]:
-    """``passes the ego and the van driving in front of it``: the van, and not both."""
+    """``passes the ego and a van driving on``, ``a bus on the left and a van braking``: the van."""
     listed = chain(noun)
-    return [noun] if not event.finite and any(m.is_ego for m in listed) else listed
+    apart = any(m.is_ego or m.pps for m in listed[:-1])
+    return [noun] if not event.finite and apart else listed

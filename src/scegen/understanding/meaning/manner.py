@@ -107,7 +107,8 @@ class Manners:
                 self._meet_head_on(term, clause)
         for term in event.mods if travels or not event.nominal else []:
             slows = term.value == "slow" and (clause.reaction or not travels)  # "brakes slowly"
-            if term.cat == "manner" and term.value in _BY_MANNER and not slows:
+            aside = term.value == "wrong_way" and any(p.names("sidewalk") for p in event.pps)
+            if term.cat == "manner" and term.value in _BY_MANNER and not (slows or aside):
                 self.word(term, clause.drivers)
 
     def _meet_head_on(self, term: Term, clause: Clause) -> None:

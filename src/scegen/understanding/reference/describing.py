@@ -82,7 +82,7 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     turns = vague or event.name in {"turn", "sharp_turn"}
     turns = turns and any(d.value in {"left", "right"} for d in event.dirs)
     turns = turns or ((_person(mention) or vague) and _in_traffic(event))
-    turns = turns or (vague and event.name == "collide" and not event.passive)
+    turns = turns or (vague and event.name in {"collide", "speed"} and not event.passive)
     it = mention.pronoun == "it" and tokens[mention.i].low == "it"
     turns = turns or (it and event.name in _UNDERWAY and not event.passive)
     mention.drives = mention.drives or failing or alone or turns

@@ -98,7 +98,7 @@ class Discourse:
         if two := self._of_two(mention) or self._at_the_wheel(mention):
             found = two
         elif mention.pronoun is not None:
-            found = self._we(mention) or of_pronoun(self._roster, mention, exclude, near)
+            found = self._we(mention, exclude) or of_pronoun(self._roster, mention, exclude, near)
         else:
             reading = read_mention(mention, self.tokens, self._arms if sides == 0 else sides)
             one = of_both(reading, loci_of(mention), self._roster)
@@ -172,14 +172,17 @@ class Discourse:
         bare = mention.j - mention.i == 1 and of[:1] == ["of"] and len(of) > 1
         return bare and quantity_at(self.tokens, mention.j + 1) is not None
 
-    def _we(self, mention: Mention) -> list[Entity]:
-        """``three of us``: the ego and two more."""
+    def _we(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
+        """``three of us``: the ego and two more; ``the two of us``: it and who was told of."""
         whole = mention.whole
         if mention.pronoun != "count" or whole is None or not any(e.ego for e in whole.entities):
             return []
         count, basis = int(mention.mods[0].data["number"]), Basis(mention.i, whole.j)
         ego = the_ego(self._roster, ParticipantKind.CAR, basis)
         further = range(min(count, _MOST) - 1)
+        told = [e for e in self.entities if e.moving_vehicle and e not in (ego, *exclude)]
+        if len(told) == len(further) and self.tokens[mention.i - 1].low == "the":
+            return [ego, *told]
         others = [self._roster.new(self._roster.teller, basis) for _ in further]
         if others:
             self._roster.groups.append(Group(others, vague=False))

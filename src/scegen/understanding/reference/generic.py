@@ -76,17 +76,6 @@ def _fits(mention: Mention, prep: Word, tokens: list[Token]) -> bool:
     return prep.value == "for" and not known and bool(no_room or before & word_list("wide"))
 
 
-_OWED = frozenset({"yield", "stop", "brake", "slow", "wait", "turn", "move", "u_turn", "obey",
-                   "inert", "leave", "swerve", "lane_change", "accelerate",
-                   "reverse"})  # fmt: skip
-"""What is told of everybody when nobody does it."""
-
-
-_HIDING = frozenset({"hide", "block"})
-"""What is not done if nothing does it; it is told of nobody in particular."""
-_NONE = frozenset({"nobody", "everybody"})
-
-
 def _only_the_scene(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
     """``Stop-and-go traffic on a ring road; the car ahead …``: where it all takes place."""
     opens = k == 0 or getattr(chunks[k - 1], "value", "") in BOUNDARIES
@@ -99,6 +88,18 @@ def _only_the_scene(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
             after = [c for c in chunks if c.i > chunk.i and isinstance(c, Mention) and c.heads]
             return any(not c.is_ego for c in after)
     return False
+
+
+_OWED = frozenset({"yield", "stop", "brake", "slow", "wait", "turn", "move", "u_turn", "obey",
+                   "inert", "leave", "swerve", "lane_change", "accelerate",
+                   "reverse"})  # fmt: skip
+"""What is told of everybody when nobody does it."""
+
+
+_HIDING = frozenset({"hide", "block"})
+"""What is not done if nothing does it; it is told of nobody in particular."""
+_ASKED = frozenset({"inert", "try", "encounter", "light"})
+_NONE = frozenset({"nobody", "everybody"})
 
 
 def deny_of_everybody(events: list[Event]) -> None:
@@ -115,6 +116,19 @@ def deny_of_everybody(events: list[Event]) -> None:
         event.negated = True
         for mention in named:
             mention.negated, mention.pronoun = False, "everybody"
+
+
+def answer(events: list[Event], tokens: list[Token]) -> None:
+    """``Did it brake? No``: it did not; ``you know the bend?``: who is asked takes no part."""
+    marks = [k for k, token in enumerate(tokens) if token.low in {".", "!", "?"}]
+    for event in events:
+        mark = next((k for k in marks if k >= event.j), None)
+        if mark is None or tokens[mark].low != "?":
+            continue
+        reply = next((t.low for t in tokens[mark + 1 :] if t.kind == "word"), "")
+        event.negated = event.negated or reply in word_list("refusing")
+        for who in event.subject if event.name in _ASKED else []:
+            who.negated = who.negated or tokens[who.i].low == "you"
 
 
 def everybody(mention: Mention, draft: Draft) -> list[Entity]:

@@ -71,6 +71,10 @@ def _word(roster: Roster, mention: Mention) -> str:
 def _single(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Entity]:
     subject, recent = roster.subject, roster.recent
     word = _word(roster, mention)
+    if word in word_list("persons"):  # "he" is no woman, "she" no man
+        not_so = word_list("women" if word in {"he", "him"} else "men")
+        named = ((e, roster.tokens[e.basis.i or 0 : e.basis.j or 0]) for e in roster.entities)
+        exclude = [*exclude, *(e for e, own in named if any(t.base in not_so for t in own))]
     afoot = [e for e in recent if not e.is_vehicle and e not in exclude]
     if word == "it" and mention.walks and not mention.drives and afoot:
         return afoot[-1:]  # "two cars hide a child; it walks out"

@@ -96,9 +96,19 @@ def _matches(entry: Mapping[str, Any], participant: Participant) -> bool:
     return True
 
 
+def _shared_out(scenario: FunctionalScenario) -> list[Participant]:
+    """The participants, with what so many of several do as the way of the first of them."""
+    people = {p.id: p for p in scenario.participants}
+    for group in scenario.groups:
+        free = [people[m] for m in group.members if not people[m].maneuvers]
+        for one in free[: group.number]:
+            people[one.id] = one.model_copy(update={"maneuvers": group.maneuvers})
+    return list(people.values())
+
+
 def _others(expect: Mapping[str, Any], scenario: FunctionalScenario) -> str | None:
     candidates = [
-        p for p in scenario.participants if not ("ego" in expect and p.id == scenario.ego.id)
+        p for p in _shared_out(scenario) if not ("ego" in expect and p.id == scenario.ego.id)
     ]
     fitting = [
         [k for k, p in enumerate(candidates) if _matches(entry, p)] for entry in expect["others"]

@@ -37,8 +37,9 @@ def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
     lanes = {n.j for n in named if isinstance(n, Place) and n.kind == "lane"}
     for prep in event.pps:
         target = prep.target
-        if prep.word.i in lanes or after_a_measure(tokens, prep.word.i):
-            continue  # "in the next lane to the left", "offset 1 m to the left"
+        over = low_at(tokens, prep.word.i - 1) == "over"
+        if prep.word.i in lanes or after_a_measure(tokens, prep.word.i - over):
+            continue  # "in the next lane to the left", "comes 1 m (over) to the left"
         leads_there = prep.value in {"to", "into", "for"}
         if leads_there and isinstance(target, Place) and target.kind in _GOALS:
             across = _came_from(event) & {_OTHER.get(d, "") for d in target.dirs}

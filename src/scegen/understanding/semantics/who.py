@@ -163,13 +163,12 @@ def _hiders(clause: Clause, context: Context) -> list[Entity]:
     owners = [part.owner for part in parts if part.owner is not None]  # "by the front of a van"
     behind = [*_BEHIND(clause, context), *(e for owner in owners for e in owner.entities)]
     own = [] if clause.event.passive else clause.actors
-    by = [e for e in own if e.is_vehicle and not e.ego]
-    return by + [e for e in behind if e not in by]
+    return [e for e in own if e.is_vehicle and not e.ego] + [e for e in behind if not e.ego]
 
 
 _WITH = _in_phrases("with|by")
 _IN_THE_WAY = _in_phrases("behind|between|from<ahead named +opaque")
-_BEHIND = _in_phrases("behind|between|by|due")
+_BEHIND = _in_phrases("behind|between|by|due|ahead")
 NAMED: dict[str, Who] = {
     "actors": lambda clause, _: clause.actors,
     "drivers": lambda clause, _: clause.drivers,

@@ -138,6 +138,7 @@ def around_somebody(tokens: list[Token], term: Term) -> tuple[Term, int, int] | 
         match = longest_match([*tokens[:opening], its, *tokens[end + 1 :]], term.i)
         if match is not None and match.j > opening + 1 and match.has("verb"):
             entry = match.get("verb")
-            verb = Term("verb", entry.value, term.i, opening, match.form, entry.data)
+            form = "ing" if "predicate" in entry.data else match.form
+            verb = Term("verb", entry.value, term.i, opening, form, entry.data)
             return verb, end, match.j + end - opening
     return None

@@ -267,8 +267,8 @@ def _by_lexicon(tokens: list[Token], i: int, previous: Term | None) -> Term:
         entry, premod = choose(match, tokens, previous)
         form = _own_form(entry, match, tokens, i)
         predicate = token.low == "about" or "predicate" in entry.data
-        if predicate and entry.cat == "verb" and (not previous or previous.cat != "aux"):
-            form = "ing"  # "children about to cross": describes them
+        if predicate and entry.cat == "verb":
+            form = "ing"  # "(is) on our tail", "children about to cross": describes them
         return Term(entry.cat, entry.value, i, match.j, form, entry.data, premod)
     if number:
         return Term("num", token.low, i, i + number.length, data={"number": number.value})
