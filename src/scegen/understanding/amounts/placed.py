@@ -121,6 +121,7 @@ def _between(
     amount = _with_place(figure)
     if measure is Measure.LATERAL_OFFSET_M:
         amount = aside.signed(figure)
+        aside.abreast(figure, *((one, other, 1) if other.ego else (other, one, -1)))
     elif measure in {Measure.HEADWAY_S, Measure.TTC_S}:
         entity, reference = text.in_file(one, other)
     elif measure is Measure.OVERLAP_PERCENT:
