@@ -82,11 +82,15 @@ def _stands_behind(scene: Setup, draft: DriveDraft) -> bool:
 
 
 def stand_in_line(scene: Setup) -> None:
-    """Those who are said to stay stand before the junction, one behind the other, for good."""
+    """Those who are said to stay stand before the junction, one behind the other, for good.
+
+    Before those who cross their arm, too.
+    """
     for draft in sorted(scene.drives.values(), key=lambda each: each.drive.rank):
         if not draft.stands:
             continue
         place = draft.junction_s_m - draft.body.front_m - _QUEUE_BEFORE_LINE_M
+        place = min([place, *(stops_for_walkers(scene, draft) or ())[:1]])
         ahead = ahead_on_arm(scene, draft)
         for other in [o for o in ahead if o.entry_lane == draft.entry_lane][-1:]:
             behind = other.body.rear_m + _QUEUE_GAP_M + draft.body.front_m
