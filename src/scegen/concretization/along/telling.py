@@ -124,7 +124,7 @@ def _begins_with(story: Story, name: str, kind: ActKind) -> Act | None:
 
 
 def _reverse(runner: Runner, said: Interval | None, act: Act) -> None:
-    """Hardly forwards, slower and slower, then back: as fast as is said or usual, as far as said."""
+    """Hardly forwards, ever slower, then back: as fast as is said or usual, as far as is said."""
     speed = said.middle if said is not None else sum(REVERSING_MPS) / 2
     if speed <= 0.0:
         raise MotionInfeasibleError(
