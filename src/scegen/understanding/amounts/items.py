@@ -102,9 +102,10 @@ def _hide(danger: Danger, text: Telling) -> None:
     for thing in things[:1]:
         item = _known(thing, text) or item_of(thing, text)
         item.hides += [e for e in _hidden(thing, danger.basis, text) if e not in item.hides]
-        for who in item.hides if item.side is not None else ():  # they are on its side
+        side = {Approach(item.side.value)} if item.side is not None else set()
+        for who in item.hides:  # they are on its side
             if not text.draft.placements_of(who):
-                text.draft.place(who, None, {Approach(item.side.value)}, item.basis)
+                text.draft.place(who, None, side, item.basis)
         _add(item, danger, text)
 
 

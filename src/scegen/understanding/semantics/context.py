@@ -62,7 +62,7 @@ class Clause:
 
     @property
     def tells_parked(self) -> bool:
-        """It only says of somebody that it is parked ("a van parked, or standing, on the right")."""
+        """It only says that somebody is parked ("a van parked, or standing, on the right")."""
         event = self.event
         told_of = event.form != "base" and (event.embedded or not event.finite)
         rests = told_of and event.name in {"wait", "stop"}
