@@ -15,11 +15,13 @@ from scegen.concretization.limits import (
 )
 from scegen.concretization.meetings import STRUCTURAL, Meeting, nearest_s_m
 from scegen.concretization.setup import Setup, require_room
+from scegen.concretization.tale import outward
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.bodies import Body
-from scegen.scenario.concrete import LaneChange
+from scegen.scenario.concrete import MOST_OFFSET_M, LaneChange
 from scegen.scenario.roadway import LANE_WIDTH_M
-from scegen.scenario.vocabulary import HazardKind, Maneuver
+from scegen.scenario.spacings import START, Measure
+from scegen.scenario.vocabulary import HazardKind, Maneuver, Side
 
 BEHIND_M, AHEAD_M = 3.0, 6.0
 """The room that one who overtakes has before it pulls out, and as it comes back."""
@@ -43,6 +45,24 @@ def over_by_m(*drafts: DriveDraft) -> float:
     places = [mark.s_m for draft in drafts for mark in draft.road_changes()]
     ends = [draft.junction_s_m - _BEFORE_JUNCTION_M for draft in drafts]
     return min([*ends, *places]) - _BEFORE_TURNING_M
+
+
+def keep_aside(scene: Setup) -> None:
+    """Let those keep beside the middle of their lane of whom the text says how far aside they are.
+
+    Of two, the ego keeps the middle of its own.
+    """
+    for said in scene.functional.spacings:
+        who, other = (scene.drives.get(name) for name in (said.participant, said.reference))
+        if said.measure is not Measure.LATERAL_OFFSET_M or said.at != START or not (who and other):
+            continue
+        left_m = said.value.middle
+        if who is scene.ego and other is not who:
+            who, other, left_m = other, who, -left_m
+        if who.drive.entry == other.drive.entry:
+            lanes = outward(scene.functional, Side.LEFT) * (other.entry_lane - who.entry_lane)
+            aside_m = left_m + lanes * scene.road.arms[who.drive.entry].lane_width_m
+            who.offset_m = max(-MOST_OFFSET_M, min(aside_m, MOST_OFFSET_M))
 
 
 def neighbour_lane(scene: Setup, draft: DriveDraft, *, oncoming: bool) -> int:

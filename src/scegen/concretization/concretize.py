@@ -9,6 +9,7 @@ import numpy as np
 from scegen.concretization.along.compose import compose_along, tells_along
 from scegen.concretization.along.parked import opens
 from scegen.concretization.answering import answer, note_answers
+from scegen.concretization.aside import keep_aside
 from scegen.concretization.assemble import assemble
 from scegen.concretization.clock import schedule, shortfall
 from scegen.concretization.deeds import do_acts, lead_in_missing_s, stand_in_line
@@ -118,6 +119,7 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
             scene.drives[drive.participant] = _draft(scene, drive)
     prepare_to_reverse(scene)
     choose_junction_lanes(scene)
+    keep_aside(scene)
     for draft in scene.drives.values():
         draft.lay(scene.network)
     place_walkers(scene)

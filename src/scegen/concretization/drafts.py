@@ -39,7 +39,8 @@ class DriveDraft:
 
     ``cruise_mps`` is its speed away from turns; ``marks`` what dangers add to its program,
     ``steps`` what the text says that it does; ``laid`` and ``course`` its way and its timeline from
-    the outer end of the entry arm; ``start_m`` where on that path it starts at time 0.
+    the outer end of the entry arm; ``start_m`` where on that path it starts at time 0. It keeps
+    ``offset_m`` to its own left of the middle of its lane.
     ``grip_mps2`` is what the tyres hold on this road, ``halts_s_m`` where a thing in its way ends
     it, ``parked_s_m`` where it stood beside the road at first.
     ``reversal`` is a part driven backwards; one that backs out (of arm ``from_arm``, if not from
@@ -62,6 +63,7 @@ class DriveDraft:
     lane_changes: list[LaneChange] = field(default_factory=list)
     marks: list[SpeedChange] = field(default_factory=list)
     steps: list[SpeedChange] = field(default_factory=list)
+    offset_m: float = 0.0
     start_m: float = 0.0
     offset_s: float = 0.0
     grip_mps2: float = GRAVITY_MPS2
@@ -153,6 +155,7 @@ class DriveDraft:
             exit_lane=self.exit_lane,
             ring_lane=self.ring_lane,
             start_m=round(start_m, 3),
+            offset_m=round(self.offset_m, 3),
             turning_starts_m=round(laid.turning_starts_m, 3) if laid else 0.0,
             turning_ends_m=round(laid.turning_ends_m, 3) if laid else 0.0,
             lane_changes=tuple(self.lane_changes),

@@ -172,8 +172,8 @@ def _from_junction_m(scene: Setup, crossing: Crossing) -> float:
 
 
 def partner_of(scene: Setup, walk: WalkDraft) -> tuple[DriveDraft, MeetingPoint] | None:
-    """The drive into whose way a walker steps."""
-    for draft in scene.concerned(walk.id):
+    """The drive into whose way a walker steps; who stands all the time comes up to nobody."""
+    for draft in (each for each in scene.concerned(walk.id) if not each.stands):
         point = meeting_point(draft.laid.path, draft.body, walk.path, walk.body)
         if point is not None:
             return draft, point

@@ -17,7 +17,7 @@ from scegen.motion.batch.arrays import Bools
 from scegen.scenario.acts import GAINING, SLOWING, Act, ActKind
 from scegen.scenario.functional import Hazard
 from scegen.scenario.hazards import HAZARDS
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.vocabulary import HazardKind, Maneuver
 
 _CLEARLY = 1.0
 """The margin of what either happens or not: more than a search asks for."""
@@ -56,30 +56,25 @@ def _test_of(told: Told, hazard: Hazard) -> Callable[[Told, Hazard, View], Judge
     paced = {p.id for p in told.functional.participants if p.speed_mps is not None}
     if hazard.kind is HazardKind.SLOW_DRIVING and hazard.by and paced >= {*hazard.by}:
         return _slower
-    if _let_go_first(told, hazard):
-        return _comes_close
     if hazard.kind is HazardKind.STOPPING:
         return _in_time
     hits = all(_struck(told, hazard, by) for by in hazard.by)
     return _too_late if hazard.kind is HazardKind.DELAYED_BRAKING and hits else _happens
 
 
-def _let_go_first(told: Told, hazard: Hazard) -> bool:
-    """Whether who crosses meets only those who should let it go first, and do not."""
+def _judged_as(told: Told, hazard: Hazard) -> HazardKind:
+    """What one who crosses does to those who should let it go first, or stand there.
+
+    After those who do not let it, it comes second, so close behind as two whose ways meet;
+    before those who stand it passes as close as by what stands there.
+    """
+    if ActKind.CROSS not in HAZARDS[hazard.kind].acts or not hazard.to:
+        return hazard.kind
+    if all(told.functional.participant(to).maneuvers == {Maneuver.STAY} for to in hazard.to):
+        return HazardKind.OBSTACLE
     breaches = [h for h in told.hazards if h.kind is HazardKind.FAILURE_TO_YIELD]
-    return (
-        ActKind.CROSS in HAZARDS[hazard.kind].acts
-        and bool(hazard.to)
-        and all(
-            any(to in breach.by and {*hazard.by} <= {*breach.to} for breach in breaches)
-            for to in hazard.to
-        )
-    )
-
-
-def _comes_close(told: Told, hazard: Hazard, view: View) -> Judged:
-    """It comes second then, so close behind as two whose ways meet."""
-    return _happens(told, hazard.model_copy(update={"kind": HazardKind.MERGING_CONFLICT}), view)
+    unyielding = {b for h in breaches if {*hazard.by} <= {*h.to} for b in h.by}
+    return HazardKind.MERGING_CONFLICT if unyielding >= {*hazard.to} else hazard.kind
 
 
 def _measured_out(told: Told, hazard: Hazard) -> list[Act]:
@@ -122,7 +117,8 @@ def _happens(told: Told, hazard: Hazard, view: View) -> Judged:
     """Margins are relative to the scale of the weakest condition."""
     doors = {of: door for door, of in told.doors.items() if door in view.index}
     by = tuple(doors.get(name, name) for name in hazard.by)
-    margin, time_s = decisive(view, hazard.model_copy(update={"by": by}))
+    kind = _judged_as(told, hazard)
+    margin, time_s = decisive(view, hazard.model_copy(update={"by": by, "kind": kind}))
     return Judged(margin, margin, time_s)
 
 

@@ -22,8 +22,8 @@ from scegen.scenario.junction import MAX_LANES
 from scegen.scenario.roadway import LANE_WIDTH_M
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind
 
-FORTH_M, FORTH_MPS = 0.4, 0.3
-"""One that reverses goes so far forwards first, at this speed: esmini takes a trajectory's sense
+FORTH_M, FORTH_MPS = 0.4, 0.5
+"""One that reverses goes so far forwards first, at most so fast: esmini takes a trajectory's sense
 from how it begins."""
 _TURNS_MPS, _MOST_TURNED = 0.5, 0.9
 """Who is slower does not turn its body to the side; the greatest sine of its angle to the road."""

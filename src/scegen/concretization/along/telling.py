@@ -124,7 +124,7 @@ def _begins_with(story: Story, name: str, kind: ActKind) -> Act | None:
 
 
 def _reverse(runner: Runner, said: Interval | None, act: Act) -> None:
-    """Hardly forwards, then back at the speed that is said, or a usual one, as far as is said."""
+    """Hardly forwards, ever slower, then back: as fast as is said or usual, as far as is said."""
     speed = said.middle if said is not None else sum(REVERSING_MPS) / 2
     if speed <= 0.0:
         raise MotionInfeasibleError(
@@ -135,14 +135,16 @@ def _reverse(runner: Runner, said: Interval | None, act: Act) -> None:
     runner.backs = True
     runner.speed_mps = min(FORTH_MPS, speed)
     if isinstance(act.when, AfterStart) and act.when.delay_s.middle > 0.0:
-        runner.speed_mps = min(runner.speed_mps, FORTH_M / act.when.delay_s.middle)
-    begins = 1.02 * FORTH_M / runner.speed_mps
-    if act.distance_m is None:
-        runner.steps = [SpeedChange(speed, REVERSING_MPS2, begins)]
+        runner.speed_mps = min(runner.speed_mps, 2 * FORTH_M / act.when.delay_s.middle)
+    far = None if act.distance_m is None else act.distance_m.middle
+    speed = speed if far is None else min(speed, (REVERSING_MPS2 * far) ** 0.5)
+    begins = 1.96 * FORTH_M / runner.speed_mps
+    runner.steps = [
+        SpeedChange(0.0, runner.speed_mps**2 / (2 * FORTH_M), 0.0),
+        SpeedChange(speed, REVERSING_MPS2, begins),
+    ]
+    if far is None:
         return
-    far = act.distance_m.middle
-    speed = min(speed, (REVERSING_MPS2 * far) ** 0.5)
-    runner.steps = [SpeedChange(speed, REVERSING_MPS2, begins)]
     slows = FORTH_M + far - speed**2 / (2 * REVERSING_MPS2)
     runner.steps.append(SpeedChange(0.0, REVERSING_MPS2, runner.profile.time_s(slows)))
 

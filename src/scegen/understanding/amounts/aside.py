@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
+from scegen.scenario.bodies import BODIES
 from scegen.scenario.model import Interval
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
@@ -59,6 +60,17 @@ def signed(figure: Figure) -> Amount:
     side, j = toward(figure)
     reason = "the side is not said; the left is taken" if side is None else None
     return _to(side is Side.RIGHT, figure.quantity.exact, Basis(figure.i, j, reason))
+
+
+def abreast(figure: Figure, who: Entity, ego: Entity, sense: int) -> None:
+    """``rides 2 m to the right of the ego's line``: beside it, if no place of the two is said."""
+    amount = signed(figure)
+    clear_m = (BODIES[who.kind].width_m + BODIES[ego.kind].width_m) / 2
+    unplaced = ego.ego and who.moving_vehicle and not figure.text.stand(who, ego)
+    if unplaced and abs(amount.value.middle) >= clear_m:
+        figure.text.draft.place(who, None, _BESIDE, amount.basis)
+        side = "left" if sense * amount.value.middle > 0 else "right"
+        who.beside = who.beside or (side, amount.basis)
 
 
 def _to(right: bool, value: Interval, basis: Basis) -> Amount:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from scegen.scenario.bodies import LENGTHS_M, WIDTHS_M
 from scegen.scenario.things import SIZES_M, ThingKind
-from scegen.scenario.vocabulary import HazardKind, Side
+from scegen.scenario.vocabulary import Approach, HazardKind, Side
 from scegen.understanding.amounts.figures import Figure, has_a_size
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
@@ -100,6 +100,10 @@ def _hide(danger: Danger, text: Telling) -> None:
     for thing in things[:1]:
         item = _known(thing, text) or item_of(thing, text)
         item.hides += [e for e in _hidden(thing, danger.basis, text) if e not in item.hides]
+        side = {Approach(item.side.value)} if item.side is not None else set()
+        for who in item.hides:  # they are on its side
+            if not text.draft.placements_of(who):
+                text.draft.place(who, None, side, item.basis)
         _add(item, danger, text)
 
 

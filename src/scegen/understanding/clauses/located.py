@@ -113,6 +113,9 @@ def _lane_beside(lane: Place, side: Place, state: State) -> bool:
 
 _SIDES = frozenset({"side", "direction", "lane", "sidewalk", "shoulder", "bike_lane", "access",
                     "parking", "bus_stop"})  # fmt: skip
+_ASIDE_OF_THE_ROAD = frozenset({"side", "sidewalk", "shoulder", "bus_stop", "parking"})
+RESTING = frozenset({("park", "ed"), ("park", "ing"), ("wait", "ing"), ("stop", "ed")})
+"""How who stands is described: "behind a bus standing at a stop"."""
 _ROADS = frozenset({"leg", "road"})
 """Roads, if it is said which one: "from the right arm", "on the road that it turns into"."""
 _MEETING = frozenset({"move", "approach", "appear", "locate", "wait", "stop", "park", "hide",
@@ -194,7 +197,7 @@ def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
     if isinstance(target, Mention) and target.possessor and isinstance(owned, NounPhrase):
         m += 1  # "behind the ego's bumper"
     parked = chunk_at(chunks, m)
-    m += isinstance(parked, Event) and (parked.name, parked.form) == ("park", "ed")
+    m += isinstance(parked, Event) and (parked.name, parked.form) in RESTING
     if _side_after(chunks, m):
         m += 2  # "behind a van (parked) on the right a man …", "from the road on the left a van …"
     while value_at(chunks, m) == "of" and isinstance(chunk_at(chunks, m + 1), Mention | Place):
@@ -204,7 +207,7 @@ def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
 
 def _side_after(chunks: list[Chunk], m: int) -> bool:
     side = chunk_at(chunks, m + 1)
-    sided = isinstance(side, Place) and side.kind in {"side", "sidewalk", "shoulder"}
+    sided = isinstance(side, Place) and side.kind in _ASIDE_OF_THE_ROAD
     return sided and value_at(chunks, m) in {"in", "to"}
 
 

@@ -21,7 +21,7 @@ from scegen.understanding.phrases.lookahead import finite_follows, is_word
 
 _REACH = 3
 _PARTS = frozenset({"side", "flank"})
-_OWNED = frozenset({"side", "flank", "lane", "path", "right_of_way"})
+_OWNED = frozenset({"side", "flank", "lane", "path", "right_of_way", "centerline"})
 _TURNS = frozenset({"turn", "u_turn"})
 """Nouns of doings that somebody has before him ("a left turn for the ego")."""
 

@@ -8,7 +8,8 @@ from scegen.understanding.phrases.lookahead import is_word
 
 _ITS = frozenset({"it", "him", "they"})
 _DONE_TO_SOMEBODY = frozenset({"follow", "overtake", "pass", "bypass", "tailgate", "encounter",
-                               "approach", "avoid", "collide", "cut_off", "undertake"})  # fmt: skip
+                               "approach", "avoid", "collide", "cut_off", "undertake", "hide",
+                               "overlook"})  # fmt: skip
 _REACH = 4
 
 

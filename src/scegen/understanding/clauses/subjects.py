@@ -12,6 +12,7 @@ from scegen.understanding.clauses.dependents import (
     infinitive,
     nominal,
 )
+from scegen.understanding.clauses.located import RESTING
 from scegen.understanding.clauses.relatives import antecedent, closed, told
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import is_word, main_verb_follows
@@ -238,7 +239,8 @@ def _noun_described(event: Event, state: State) -> Mention | None:
     noun = state.last_pp or state.anchor
     if not isinstance(noun, Mention) or noun.prep is None or noun.j != event.i:
         return None
-    return noun if event.form == "ed" and event.name in _DESCRIBING else None
+    rests = bool(state.fronted) and (event.name, event.form) in RESTING
+    return noun if rests or (event.form == "ed" and event.name in _DESCRIBING) else None
 
 
 def only_describes(event: Event, state: State) -> bool:

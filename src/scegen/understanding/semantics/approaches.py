@@ -30,6 +30,7 @@ FACING = {"north": "south", "south": "north", "east": "west", "west": "east"}
 SIDES = {"left": Approach.LEFT, "right": Approach.RIGHT}
 _PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder", "bike_lane",
                      "path", "leg"})  # fmt: skip
+_OFF_THE_ROAD = {"access": ("from", "in"), "bus_stop": ("in",), "parking": ("in",)}
 
 
 def adjective_approaches(dirs: list[str]) -> frozenset[Approach]:
@@ -39,7 +40,7 @@ def adjective_approaches(dirs: list[str]) -> frozenset[Approach]:
 
 def place_approaches(place: Place, prep: str) -> frozenset[Approach]:
     """What "from the right", "in the next lane", "on the pavement" say."""
-    if place.kind == "access" and prep in {"from", "in"}:
+    if prep in _OFF_THE_ROAD.get(place.kind, ()):
         return frozenset(SIDES[d] for d in place.dirs if d in SIDES)
     if place.kind not in _PLACES:
         return frozenset()

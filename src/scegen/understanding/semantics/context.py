@@ -62,8 +62,11 @@ class Clause:
 
     @property
     def tells_parked(self) -> bool:
-        """It only says of somebody that it is parked ("a van parked on the right")."""
-        return (self.event.name, self.event.form) == ("park", "ed")
+        """It only says that somebody is parked ("a van parked, or standing, on the right")."""
+        event = self.event
+        told_of = event.form != "base" and (event.embedded or not event.finite)
+        rests = told_of and event.name in {"wait", "stop"}
+        return (event.name, event.form) == ("park", "ed") or rests
 
     def how(self, *values: str) -> Basis | None:
         """Words of manner of the event, joined with the event if they are close."""

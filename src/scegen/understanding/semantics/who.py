@@ -66,6 +66,7 @@ ENTITY: dict[str, EntityTest] = {
     "moving": lambda e, _: e.moving_vehicle,
     **{name: _is(name) for name in _IS},
     "stands": lambda e, _: e.stands is not None,
+    "held": lambda e, _: e.held is not None,
     "underway": lambda e, _: e.moves is not None,
     "goes_off": lambda e, _: e.sets_off >= 0,
     "on_ramp": lambda e, _: e.on_ramp is not None,
