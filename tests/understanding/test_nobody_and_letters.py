@@ -29,6 +29,11 @@ def test_a_way_that_is_ruled_out_leaves_the_others(text: str, left: set[Maneuver
     assert set(read(text).participants[0].maneuvers) == left
 
 
+def test_letters_stand_for_participants() -> None:
+    scenario = read("Two cars A and B approach a T-junction. A turns left; B goes straight.")
+    assert [set(p.maneuvers) for p in scenario.participants] == [{_LEFT}, {_STRAIGHT}]
+
+
 def test_an_article_is_no_letter() -> None:
     assert len(read("A car stops behind a bus. A van waits.").participants) == 3
 

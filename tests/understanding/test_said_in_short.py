@@ -24,6 +24,8 @@ def test_a_clause_without_its_verb_takes_the_one_before():
 @pytest.mark.parametrize(
     ("words", "kph"),
     [
+        ("The ego is passed at 100 km/h by a van. Its own speed is 80.", (80, 100)),
+        ("A van follows the ego, 100 km/h against the ego's 80.", (80, 100)),
         ("The ego and a van meet at a crossroads, 30 km/h each.", (30, 30)),
         ("A van ahead drives 90 km/h and the ego drives just as fast.", (90, 90)),
     ],

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import CrossedArm
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
-from scegen.understanding.lexicon import word_list, word_lists
+from scegen.understanding.lexicon import word_lists
 from scegen.understanding.phrases.lookahead import cat_at, chunk_at, ends, value_at
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token, low_at
@@ -52,10 +52,6 @@ def name_roads(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             k, term = course
             found.append(Word(term))
         else:
-            if isinstance(chunk, Place) and _pointed_at(chunk, found, tokens):
-                turn = next((m for m, c in enumerate(found) if turns(c)), 0)
-                who = [c for c in found[:turn] if isinstance(c, Mention)][-1:]
-                chunk.arm, chunk.user = CrossedArm.EXIT, next(iter(who), None)
             found.append(chunk)
             k += 1
         if ends(chunk):
@@ -99,17 +95,6 @@ def _arm_clause(chunks: list[Chunk], k: int, tokens: list[Token]) -> tuple[int, 
             if said in word_lists("ways")[arm.value] and (preposed or end == m):
                 return end, arm
     return None
-
-
-def _pointed_at(road: Place, before: list[Chunk], tokens: list[Token]) -> bool:
-    """``the destination road``; "that road", "the side street", if the turn alone tells which."""
-    named = [c for c in before if isinstance(c, Place) and c.kind in _ROADS]
-    if road.kind not in _ROADS or road.arm is not None or not any(map(turns, before)):
-        return False
-    words = {t.low for t in tokens[road.i : road.j]}
-    that = not words.isdisjoint(word_list("pointing")) and len(named) <= 1
-    that = that or (road.kind == "access" and road.opened_by("def") and not named)
-    return that or not words.isdisjoint(word_lists("ways")["reached"])
 
 
 def _preposed(chunks: list[Chunk], m: int) -> bool:
