@@ -2,7 +2,7 @@
 
 import pytest
 
-from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
+from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding import read
 
 
@@ -34,16 +34,3 @@ def test_counted_lanes_are_beside(text):
 )
 def test_moving_lanes_over_is_a_change_of_lane(text):
     assert one(text, "ego").maneuvers == {Maneuver.LANE_CHANGE}
-
-
-@pytest.mark.parametrize(
-    ("text", "kind"),
-    [],
-)
-def test_speeds_that_are_only_judged(text, kind):
-    assert kind in {h.kind for h in read(text).hazards}
-
-
-def test_relative_clauses_are_interrupted():
-    text = "The ego brakes for a man who, looking at his phone, steps onto the crosswalk."
-    assert {h.kind for h in read(text).hazards} >= {HazardKind.CROSSING_PEDESTRIAN}

@@ -5,6 +5,7 @@ from __future__ import annotations
 from scegen.understanding.lexicon import Entry, word_list
 from scegen.understanding.words.nouns_ahead import noun_follows
 from scegen.understanding.words.numbers import POSITIONS
+from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.terms import Match, Term, begins, longest_match
 from scegen.understanding.words.tokens import Token, low_at
 
@@ -37,6 +38,35 @@ def _with_a_number(match: Match, noun: Match, tokens: list[Token]) -> bool:
     return bare and any(t.kind == "number" for t in tokens[noun.j : noun.j + 2])
 
 
+def _clause_follows(tokens: list[Token], j: int) -> bool:
+    """Whether the next noun has a verb of its own ("because leading vehicle brakes")."""
+    for _ in range(6):
+        if j >= len(tokens) or tokens[j].kind == "punct":
+            return False
+        following = longest_match(tokens, j)
+        if following is None:
+            j += 1
+            continue
+        verbal = following.has("verb") and following.form in {"s", "ed"}
+        if following.has("aux") or (verbal and not following.has("dir")):  # "from the left"
+            return not following.has("actor")
+        if following.has("sub", "conj", "rel"):
+            return False  # "following a car that brakes"
+        j = following.j
+    return False
+
+
+def _single_one(tokens: list[Token], j: int) -> bool:
+    """``ego and preceding car``: one of several would have an article, or a name, as an object."""
+    following = longest_match(tokens, j)
+    if following is None or not following.only("actor") or following.form != "base":
+        return False
+    mass = "mass" in following.get("actor").data
+    after = tokens[following.j] if following.j < len(tokens) else None
+    named = after is not None and after.kind in {"label", "number"}
+    return not mass and (not named or quantity_at(tokens, following.j) is not None)
+
+
 def is_adverb(token: Token) -> bool:
     """Whether a word ends like an adverb, or is one of time or place ("and later brakes")."""
     return token.low.endswith("ly") or token.low in word_list("adverbs")
@@ -65,9 +95,9 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     if named and not (participle or infinitive) and before not in _VERBAL_BEFORE:
         return match.get("actor"), False  # "a cycle", not "they cycle"
     attributive = _attributive(match, tokens, previous)
-    if participle and before in {"conj", "punct"} and match.has("dir"):
+    if participle and before in {"conj", "sub", "punct"} and match.has("dir"):
         # "turning left and following vehicle B": without an article it is no adjective
-        attributive = False
+        attributive = _clause_follows(tokens, match.j) or _single_one(tokens, match.j)
     if match.has("place", "dir") and match.get("place").value == "junction":
         # "crossing" describes a vehicle or is what somebody does, unless it is a shaped one
         named = before in {"shape", "control", "det"} or _opens_noun(tokens, previous)
