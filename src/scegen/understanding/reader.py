@@ -52,6 +52,7 @@ from scegen.understanding.semantics.context import Context
 from scegen.understanding.semantics.rows import say
 from scegen.understanding.semantics.seen import settle_far_sides
 from scegen.understanding.words.emptiness import without_emptiness
+from scegen.understanding.words.in_file import count_places
 from scegen.understanding.words.language import require_english
 from scegen.understanding.words.sides import settle_sides
 from scegen.understanding.words.tagging import tag
@@ -115,6 +116,7 @@ def read(text: str) -> FunctionalScenario:
     surroundings = read_surroundings(terms, tokens)
     lengthwise = read_lengthwise(terms)
     terms = settle_sides(terms, surroundings.side)
+    terms = count_places(terms, tokens)
     chunks = Chunker(terms, tokens).run()
     there = {t.low for t in tokens}.union(*((t.cat, t.value) for t in terms))
     for words, put_right in _PUT_RIGHT:
