@@ -9,7 +9,8 @@ from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts import aside
 from scegen.understanding.amounts.figures import Figure
-from scegen.understanding.amounts.pairs import each_from, moment, pair_of, row_of, since, tell_order
+from scegen.understanding.amounts.moments import moment, since
+from scegen.understanding.amounts.pairs import each_from, pair_of, row_of, tell_order
 from scegen.understanding.chunks import Place
 from scegen.understanding.entity import Entity
 from scegen.understanding.happenings import Apart, Doing
