@@ -66,7 +66,7 @@ class ClauseReader:
             self._end_sentence()
         elif word.cat in GOVERNING or only_a_noun_follows(word, state.k, self._chunks):
             preposition(word, state)
-        elif state.prep is not None and self._governed_on(word, state.prep):
+        elif self._governed_on(word):
             return
         elif word.cat in ADVERBS or word.cat == "state":
             if not self._denied_way(word):
@@ -111,13 +111,17 @@ class ClauseReader:
         if word.cat in {"sub", "conj"} and word.value != "or" and state.candidate_done:
             state.candidate = None
 
-    def _governed_on(self, word: Word, prep: Prep) -> bool:
-        """``from either the left or …``, ``without the two touching``, ``without ever braking``."""
-        noun, lacking = self._state.at(1), prep.value == "without"
+    def _governed_on(self, word: Word) -> bool:
+        """``from either the left or …``, ``without the two touching``, ``overtakes the two of us``.
+
+        So it is in "without ever braking".
+        """
+        noun, prep = self._state.at(1), self._state.prep
+        lacking = prep is not None and prep.value == "without"
         if word.cat == "det" and isinstance(noun, Mention):
             return noun.has("num") or lacking
         adverb = lacking and word.cat == "manner" and event_follows(self._chunks, self._state.k)
-        return adverb or word.value == "either"
+        return adverb or (prep is not None and word.value == "either")
 
     def _put_between(self) -> bool:
         """``and, when …``: after that clause the one before goes on."""

@@ -104,7 +104,7 @@ def is_one_vehicle(noun: Mention) -> bool:
 
 
 _OPENS = frozenset({"door", "alight"})
-_AT_REST = frozenset({"wait", "stop", "park", "locate", "hide", *_OPENS})
+_AT_REST = frozenset({"try", "wait", "stop", "park", "locate", "hide", *_OPENS})
 _DOORED = frozenset({"car", "van", "truck", "emergency_vehicle"})
 _PEOPLE = frozenset({"driver", "pedestrian", "rider"})
 
