@@ -33,6 +33,8 @@ _CLEAR_BEFORE_S, _CLEAR_AFTER = 0.9, 0.6
 change back."""
 _ASTRAY_S = 3.8
 """Who goes astray on purpose meets somebody so long after it is there, or would."""
+_THERE_S = 0.1
+"""Who is hit in the lane of the oncoming has been there so long."""
 _STILL_THERE = 0.35
 """The share of a change back after which one is still in the way of who brakes for it."""
 _FASTER_MPS, _HARDLY_MPS = 6.0, 1.5
@@ -104,8 +106,10 @@ def _meeting_when_back_s(
     One that brakes for it would be level with it there, if it did not. ``back`` may be the move by
     which the other leaves that lane.
     """
-    if story.contact_wanted(stray.id, other.id):
-        return (out.ends_s + back.begins_s) / 2
+    if story.contact_wanted(stray.id, other.id):  # they touch before they are level
+        closing = max(stray.speed_at_mps(out.ends_s) + other.speed_at_mps(out.ends_s), 1.0)
+        touch_s = (stray.body.length_m + other.body.length_m) / 2 / closing
+        return max((out.ends_s + back.begins_s) / 2, out.ends_s + _THERE_S + touch_s)
     if stray.id in story.endangered_by(other.id, *BRAKING):
         return back.begins_s + _STILL_THERE * back.lasts_s
     if story.concern(stray.id, other.id):

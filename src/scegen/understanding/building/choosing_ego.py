@@ -4,24 +4,20 @@ from __future__ import annotations
 
 from scegen.scenario.roadway import Strip
 from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
-from scegen.understanding.draft import Draft
+from scegen.understanding.draft import Danger, Draft
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 
 _ALONG = frozenset({Approach.AHEAD, Approach.BEHIND, Approach.OPPOSITE})
 _SIDEWAYS = _ALONG | {Approach.LEFT, Approach.RIGHT}
 """A single vehicle "from the left" is seen by somebody; of two, each may see the other."""
-_DRIVES = "an ego that stays parked beside the road is not built; it drives from the start"
-_PARTIES = ("insured", "claimant")
-"""Whose case a report tells."""
-
-
 _ENDANGERS = frozenset({HazardKind.CUT_IN, HazardKind.HARD_BRAKING, HazardKind.STOPPING,
                         HazardKind.ONCOMING_LANE, HazardKind.REVERSING})  # fmt: skip
 """What one vehicle does to another, which a text need not name."""
-
-
 _TO_ITSELF = frozenset({HazardKind.LOSS_OF_CONTROL, HazardKind.SWERVING, HazardKind.OBSTACLE})
+_DRIVES = "an ego that stays parked beside the road is not built; it drives from the start"
+_PARTIES = ("insured", "claimant")
+"""Whose case a report tells."""
 
 
 def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
@@ -168,9 +164,23 @@ def _designate(draft: Draft, candidates: list[Entity]) -> tuple[Entity, str]:
     # "a lorry would not let driver 1 in": who has a number is told of
     candidates = [e for e in candidates if e.numbered] or candidates
     free = [e for e in candidates if e not in placed] or candidates
+    facing = next((e for d in draft.dangers if (e := _facing_entry(d, free)) is not None), None)
+    if facing is not None:
+        return facing, "this vehicle comes towards the one that turns left"
     sufferers, causers = draft.suffering(), draft.causing()
     for entity in (e for e in free if e in sufferers):
         return entity, "this vehicle suffers a hazard"
     for entity in (e for e in free if causers and e not in causers):
         return entity, "this is the first vehicle that causes no hazard"
     return free[0], "this is the first vehicle"
+
+
+def _facing_entry(danger: Danger, candidates: list[Entity]) -> Entity | None:
+    """Who enters opposite the one that turns left, where the text fixes the arms."""
+    if danger.kind is not HazardKind.UNPROTECTED_LEFT_TURN or len(danger.by) != 1:
+        return None
+    arms = 1 + max((arm for e in (*danger.by, *candidates) for arm in e.entries), default=0)
+    opposite = {(arm + arms // 2) % arms for arm in danger.by[0].entries}
+    if not opposite or arms % 2:
+        return None
+    return next((e for e in candidates if e.entries == opposite and e not in danger.by), None)
