@@ -81,8 +81,6 @@ _NAMED = frozenset({"actor", "place", "thing", "inert", "shape", "leg", "limit"}
 _JOINTS = frozenset({"and", "or", ","})
 _PHRASE_ENDS = frozenset({"aux", "copy", "neg", "prep", "conj", "punct", "locus", "rel"})
 _OPENERS = frozenset({"punct", "conj", "sub"})
-
-
 _VERBAL = frozenset({"s", "ed"})
 
 

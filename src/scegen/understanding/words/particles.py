@@ -107,8 +107,6 @@ def after_a_phrase(token: Token, previous: Term, tokens: list[Token]) -> bool:
 
 
 _FARTHEST = 8
-
-
 GENITIVES = frozenset({"'s", "'"})
 
 
