@@ -27,8 +27,8 @@ class SpeedChange:
     """The speed goes over to ``target_mps`` at ``rate_mps2``: from ``begins_s`` on, or ``s_m``.
 
     At a junction it is tied to the place ``s_m`` of the path (from the outer end) until a drive is
-    worked out. With ``then_s`` it comes so long after the
-    one before it has ended instead, wherever that is, and ``then`` is one that does so at once.
+    worked out. With ``then_s`` it comes so long after the one before it has ended instead, wherever
+    that is, and ``then`` is one that does so at once.
     What the road slows down to must be reached ``by_m``: where acts have changed the speed, it
     begins just in time for that. ``act`` names the act of the text that it is, ``hazard`` the
     danger that it serves, ``reacts_to`` whom it answers. ``timed``: it comes so long after the

@@ -1,9 +1,8 @@
 """Reversing: backing up towards another, or out in front of it, or straight out of a bay.
 
 One that reverses waits for the other, which has to brake late. Straight out, all is laid backwards
-from where the two meet: it stands so
-far off that it is up to speed for a while before, and then stops short of the other's way, or is
-across it as both touch.
+from where the two meet: it stands so far off that it is up to speed for a while before, and then
+stops short of the other's way, or is across it as both touch.
 """
 
 from __future__ import annotations

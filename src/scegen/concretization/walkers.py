@@ -227,7 +227,7 @@ def leaves_s(scene: Setup, name: str) -> float:
     if walk.sets_off_s is not None:
         return walk.sets_off_s
     found = partner_of(scene, walk)
-    if found is None or found[0].stands:
+    if found is None:
         return 1.0
     draft, point = found
     place, way_m = rendezvous(scene, draft, walk, point)

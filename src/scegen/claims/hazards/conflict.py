@@ -13,10 +13,9 @@ from scegen.claims.hazards.in_line import merges_ahead
 from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most, part
 from scegen.claims.view import View
 from scegen.claims.ways import Way
-from scegen.motion.batch.arrays import SPEED, Floats
+from scegen.motion.batch.arrays import Floats
 from scegen.scenario.concrete import CrossingMotion
 
-_STANDS_MPS = 0.05
 _BEFORE_LINE_M = 15.0
 _IN_M = 1.0
 _SET_OFF_M = 3.0
@@ -29,7 +28,7 @@ def closeness(view: View, by: str, to: str, limit: limits.Threshold = limits.CON
 
     Of one who stands it is the distance.
     """
-    if (view.row(to, SPEED) < _STANDS_MPS).all():
+    if (view.speed_mps(to) < limits.STANDS_MPS).all():
         apart, time_s = view.of_pair("distance_m", by, to), view.of_pair("closest_s", by, to)
         return at_most("distance", apart, limits.NEAR, time_s)
     pet = view.of_pair("pet_s", by, to)

@@ -62,23 +62,14 @@ def unattached(
         if cat not in _INSTEAD or term.value in _EMPTY or len(found) >= _MOST:
             continue
         start, end = tokens[term.i].start, tokens[term.j - 1].end
-        if term.value == "between" and low_at(tokens, term.i - 1) in word_list("gauged"):
-            continue  # "the gap between them": the number is told of
-        dark = scenario.junction.control is Control.SIGNALS_OFF
-        if dark and (term.cat, term.value) == ("control", Control.SIGNALS):
-            continue  # "a signalised intersection, whose lights are off"
-        if term.cat == "num" and _counts(term, before, tokens, named, scenario):
-            continue
-        gauge = low_at(tokens, term.i - 1) in word_list("gauged")  # "the gap between them"
+        gauge = low_at(tokens, term.i - 1) in word_list("gauged")
         if term.value == "between" and (gauge or (before and before.cat == "quantity")):
-            continue
+            continue  # "the gap between them", "1.5 s between them": the number is told of
         dark = scenario.junction.control is Control.SIGNALS_OFF
         if dark and (term.cat, term.value) == ("control", Control.SIGNALS):
             continue  # "a signalised intersection, whose lights are off"
         if term.cat == "num" and _counts(term, before, tokens, named, scenario):
             continue
-        if term.value == "between" and before is not None and before.cat == "quantity":
-            start = end = tokens[before.j - 1].end  # "1.5 s between them"
         own = before is not None and before.cat == "possessive" and term.value == "front"
         resting = spans + (told if own or cat == "locus" else [])  # "stops in front of him"
         if any(a <= start and end <= b for a, b in resting) or _held(term, before, scenario):

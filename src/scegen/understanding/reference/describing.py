@@ -24,6 +24,7 @@ _AGAIN = (
     frozenset({"cut_in", "lane_change", "merge", "return"}),
 )
 """What a second clause may tell of another time, so that its subject is the same."""
+_OFF_THE_ROAD = frozenset({"access", "parking", "road", "junction"})
 _ALONG = frozenset({"behind", "ahead", "adjacent", "opposite"})
 
 
@@ -213,9 +214,6 @@ def _takes_a_turn(event: Event) -> bool:
     """``makes a left``: who says so means a driver."""
     target = event.object
     return event.name == "light" and isinstance(target, Place) and target.kind == "side"
-
-
-_OFF_THE_ROAD = frozenset({"access", "parking", "road", "junction"})
 
 
 def _in_traffic(event: Event) -> bool:

@@ -94,8 +94,6 @@ _OWED = frozenset({"yield", "stop", "brake", "slow", "wait", "turn", "move", "u_
                    "inert", "leave", "swerve", "lane_change", "accelerate",
                    "reverse"})  # fmt: skip
 """What is told of everybody when nobody does it."""
-
-
 _HIDING = frozenset({"hide", "block"})
 """What is not done if nothing does it; it is told of nobody in particular."""
 _ASKED = frozenset({"inert", "try", "encounter", "light"})
