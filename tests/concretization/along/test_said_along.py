@@ -11,8 +11,6 @@ from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding import read
 
 SENTENCES = [
-    "On an icy road with a friction of 0.2 and 80 m of visibility the car ahead skids.",
-    "An oncoming car whose lane is blocked by a parked truck comes into the ego's lane.",
     "A child runs across the road at 10 km/h, stops in the ego's lane for 2 s and runs on.",
     "A woman stops at the kerb for 3 s and then crosses the road.",
     "A van cuts in from the right at a time to collision of 4 s.",
