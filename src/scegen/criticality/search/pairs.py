@@ -17,9 +17,10 @@ MEETS = (ConflictKind.CROSSING, ConflictKind.MERGING)
 def candidate_pairs(concrete: ConcreteScenario) -> list[Pair]:
     """Pairs that the danger may be about, the best first, each once.
 
-    First those of the dangers, the ego's before others, then plain conflicts, what only stands
-    there last; then the ego's conflicts, then all others; those between whom somebody drives, and whom
-    lights keep apart, come last. Others of whom one only follows another keep their distance.
+    First those of the dangers, the ego's before others, plain conflicts before those with what
+    only stands there; then the ego's conflicts, then all others; those between whom somebody
+    drives, and whom lights keep apart, come last. Others of whom one only follows another keep
+    their distance.
     """
     ego = concrete.ego.id
     things = {thing.id for thing in concrete.objects}
