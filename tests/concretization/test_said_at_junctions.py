@@ -34,6 +34,12 @@ def brakes(name="b", by="x", **more):
 
 
 CASES = {
+    "goes across so far before the junction": told(
+        "four_way",
+        [ego(40), other(5, ["right"], ["cross"], "pedestrian")],
+        [("crossing_pedestrian", "x", "ego")],
+        acts=[act("c", "x", "cross", when=before(25))],
+    ),
     "a lane is changed just before a turn": told(
         "four_way",
         [ego(50), other(40, AHEAD, ["left"])],
