@@ -192,6 +192,16 @@ def test_it_holds_from_the_first(name):
     assert unkept(functional, first(functional)) == []
 
 
+def test_who_goes_across_elsewhere_breaks_it():
+    functional = CASES["goes across so far before the junction"]
+    concrete = first(functional)
+    x = concrete.participant("x")
+    there = x.motion.model_copy(update={"from_junction_m": 15.0})
+    moved = [p if p is not x else x.model_copy(update={"motion": there})
+             for p in concrete.participants]  # fmt: skip
+    assert unkept(functional, concrete.model_copy(update={"participants": tuple(moved)}))
+
+
 def by_chance(seed):
     """Two in a line, two that cross, or one who walks: with numbers of all sorts."""
     rng = Random(seed)  # noqa: S311 - the same each time is what is wanted
