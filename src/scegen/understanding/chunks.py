@@ -14,24 +14,6 @@ _DEEPEST = 4
 
 
 @dataclass(slots=True, eq=False)
-class Word:
-    """A term that is no phrase of its own: preposition, conjunction, adverb, mark.
-
-    Alone among the chunks it has a class and a value; those of all others are empty.
-    """
-
-    term: Term
-    cat: str = field(init=False)
-    value: str = field(init=False)
-    i: int = field(init=False)
-    j: int = field(init=False)
-
-    def __post_init__(self) -> None:
-        term = self.term
-        self.cat, self.value, self.i, self.j = term.cat, term.value, term.i, term.j
-
-
-@dataclass(slots=True, eq=False)
 class NounPhrase:
     """What all noun phrases share: a span, the words before the head, and who owns it."""
 
@@ -43,7 +25,7 @@ class NounPhrase:
     head: Term | None
     owner: Mention | None = None
     pps: list[Prep] = field(default_factory=list)
-    prep: Word | None = None
+    prep: Term | None = None
 
     def mod(self, *cats: str) -> Term | None:
         """The first word before the head of one of these classes."""
@@ -323,7 +305,7 @@ class Prep:
         predicate: it tells where somebody known is ("the van is behind a bus"), not which one.
     """
 
-    word: Word
+    word: Term
     target: NounPhrase | Event | None = None
     outer: str | None = None
     on_mention: Mention | None = None
@@ -338,7 +320,7 @@ class Prep:
     @property
     def leads_past(self) -> bool:
         """Whether it is said of going past what it governs."""
-        return "passes" in self.word.term.data
+        return "passes" in self.word.data
 
     @property
     def place(self) -> Place | None:
@@ -355,7 +337,7 @@ class Prep:
         return self.target if isinstance(self.target, Mention) else None
 
 
-Chunk: TypeAlias = Word | Mention | Place | Thing | Event
+Chunk: TypeAlias = Term | Mention | Place | Thing | Event
 
 
 def teller_at(i: int) -> Mention:

@@ -7,13 +7,14 @@ from typing import Any
 
 from scegen.scenario.spacings import Measure
 from scegen.understanding.amounts.telling import Telling
-from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing, Word
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.frames import AmountFrame, Numbers
 from scegen.understanding.happenings import Amount, Trigger
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause
 from scegen.understanding.words.quantities import Quantity
+from scegen.understanding.words.terms import Term
 
 _MEASURES = {measure.value.rpartition("_")[0]: measure for measure in Measure}
 NO_RULE = "a measure that no rule could attach; left out"
@@ -172,7 +173,7 @@ class Figure(Clause):
                 whole = self.placed_by(chunk) if told else chunk
                 return list(whole.entities) if owns or not chunk.possessor else []
             of = chunk.value == "of"
-            if not isinstance(chunk, Word) or not (of or {chunk.cat, chunk.value} & _SKIPPED):
+            if not isinstance(chunk, Term) or not (of or {chunk.cat, chunk.value} & _SKIPPED):
                 return []
         return []
 
@@ -208,7 +209,7 @@ class Figure(Clause):
     @cached_property
     def said_of(self) -> Entity | None:
         """Whom a clause is about that says how far off one is: "a van that is still 60 m away"."""
-        words_ = (c for c in self.text.chunks if isinstance(c, Word) and self.start <= c.i < self.i)
+        words_ = (c for c in self.text.chunks if isinstance(c, Term) and self.start <= c.i < self.i)
         opened = [c for c in words_ if c.cat in {"rel", "sub"}]
         who = self.own_subject if opened else []
         if opened and opened[-1].cat == "rel":
@@ -246,7 +247,7 @@ class Figure(Clause):
         return list(dict.fromkeys(e for m in said[:count] for e in m.entities))
 
     @cached_property
-    def after(self) -> tuple[Word, NounPhrase | None] | None:
+    def after(self) -> tuple[Term, NounPhrase | None] | None:
         """A phrase of place right after it: "ahead of the ego", "from the junction"."""
         chunks = self.text.chunks
         j = self.words_around.resumes
@@ -255,7 +256,7 @@ class Figure(Clause):
         while k < len(chunks) and tokens[chunks[k].i].low in {"(", ")", "remaining"}:
             k += 1  # "26.7 m (1.6 s) behind a car"
         word = chunks[k] if k < len(chunks) else None
-        if not isinstance(word, Word):
+        if not isinstance(word, Term):
             return None
         before = word.cat == "sub" and self.text.low(word.i, word.j) == " before "
         before = before or self.text.tokens[word.i].low in {"short", "away", "distant"}

@@ -5,11 +5,11 @@ from __future__ import annotations
 from scegen.scenario.acts import ActKind
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.amounts.timing import endless, since_green, told_in
-from scegen.understanding.chunks import Word
 from scegen.understanding.entity import Basis
 from scegen.understanding.happenings import STILL, Amount, Doing, Since, Trigger
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.quantities import ends_a_quantity, quantity_at
+from scegen.understanding.words.terms import Term
 
 _PARTS = frozenset({",", "and", "but", "while", ";"})
 _SOON_SAID = 6
@@ -56,7 +56,7 @@ def _moment(doing: Doing, text: Telling) -> float:
     if told and text.find("earlier", since, doing.i + 1) is not None:
         return told[-1] - 0.5
     opens = next((c for c in text.chunks if c.i == start), None)
-    if not isinstance(opens, Word) or text.tokens[start].low != "before":
+    if not isinstance(opens, Term) or text.tokens[start].low != "before":
         return doing.i
     return stop if doing.i < _end(opens, start, stop, text) else doing.i
 
@@ -80,7 +80,7 @@ def _at_once(before: Doing, doing: Doing, text: Telling) -> Amount | None:
     return Amount(STILL, Basis(*span))
 
 
-def _end(opens: Word, start: int, stop: int, text: Telling) -> int:
+def _end(opens: Term, start: int, stop: int, text: Telling) -> int:
     """At the comma, or where the sentence goes on without one: "once it stands the ego …"."""
     comma = next((k for k in range(opens.j, stop) if text.tokens[k].low == ","), None)
     if comma is not None or text.within(start, opens.i):
@@ -120,7 +120,7 @@ def _clauses(text: Telling) -> None:
 
 
 def _main(
-    chunk: Word, start: int, end: int, outside: list[tuple[int, Doing]], text: Telling
+    chunk: Term, start: int, end: int, outside: list[tuple[int, Doing]], text: Telling
 ) -> Doing | None:
     """What a clause sets off: the act before it, else the one that follows."""
     opens = chunk.i - (2 if ends_a_quantity(text.tokens, chunk.i) else 0)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from itertools import groupby
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.draft import Draft
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.numbers import POSITIONS
@@ -73,7 +73,7 @@ def _shared_out(draft: Draft, chunks: list[Chunk]) -> None:
             continue
         words = {t.low for t in draft.tokens[place.i : place.j]}
         of, who = [*chunks[k + 1 : k + 3], None, None][:2]
-        filled = isinstance(of, Word) and of.value == "of" and isinstance(who, Mention)
+        filled = isinstance(of, Term) and of.value == "of" and isinstance(who, Mention)
         if place.head.form == "s" and (filled or words & {"both", "all", "every"}):
             draft.note(place.i, place.j, _ONE_LANE)
 

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention, Prep, Word
+from scegen.understanding.chunks import Event, Mention, Prep
 from scegen.understanding.clauses.located import is_it, opens_clause
 from scegen.understanding.clauses.state import State
+from scegen.understanding.words.terms import Term
 
 _PASSING = frozenset({"overtake", "pass", "undertake"})
 _MET = _PASSING | {"collide"}
 _ASIDE = frozenset({",", "unknown", "inert"})
 
 
-def preposition(word: Word, state: State) -> None:
+def preposition(word: Term, state: State) -> None:
     """Opens a phrase; what it governs comes next."""
     before = state.prep
     if before is not None and (word.cat != "locus" or before.word.cat == "locus"):
@@ -21,7 +22,7 @@ def preposition(word: Word, state: State) -> None:
     state.prep = Prep(word, None, outer, _noun_before(word, state), fronted)
 
 
-def _noun_before(word: Word, state: State) -> Mention | None:
+def _noun_before(word: Term, state: State) -> Mention | None:
     """The noun right before a preposition, or whom that one places if it is known already."""
     near = state.last_pp or state.anchor
     if state.between or not isinstance(near, Mention):

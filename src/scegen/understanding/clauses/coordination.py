@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.clauses.dependents import alternative, chain
 from scegen.understanding.clauses.located import is_it
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import is_word, sentence_end
+from scegen.understanding.words.terms import Term
 
 _SHAPES = {"base": "inf", "ing": "ing"}
 """What a verb is without an auxiliary, by its form; any other is finite."""
@@ -116,7 +117,7 @@ def joins(mention: Mention, state: State) -> bool:
     if not (isinstance(anchor, Mention) and listed) or state.between & {"sub", "copy"}:
         return False
     joint = state.at(-1)
-    if isinstance(joint, Word) and "next" in joint.term.data and state.verb_follows:
+    if isinstance(joint, Term) and "next" in joint.data and state.verb_follows:
         return False  # "…, and then the van brakes": what happens next
     if mention.pronoun in {"count", "one", "another"} and "," in state.between:
         return False  # "four vans, two turning left": some of them, not further ones
@@ -147,7 +148,7 @@ def joins(mention: Mention, state: State) -> bool:
 def _is_somewhere(who: Mention, state: State) -> bool:
     """``we're in the left lane of the motorway and a van …``: a clause of its own, without verb."""
     since = [c for c in state.chunks[: state.k] if c.i >= who.j]
-    return any(isinstance(c, Word) and (c.cat, c.value) == ("aux", "be") for c in since)
+    return any(isinstance(c, Term) and (c.cat, c.value) == ("aux", "be") for c in since)
 
 
 def _list_goes_on(state: State) -> bool:
@@ -186,5 +187,5 @@ def _in_parallel(anchor: Mention, state: State) -> bool:
     if not known or state.last is None or state.last.object is not anchor:
         return False
     before, place, after = (state.at(n) for n in (-3, -2, 1))
-    prep = isinstance(before, Word) and before.cat == "prep" and is_word(after, before.value)
+    prep = isinstance(before, Term) and before.cat == "prep" and is_word(after, before.value)
     return prep and isinstance(place, Place)

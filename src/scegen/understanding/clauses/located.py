@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TypeGuard
 
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import (
     GOVERNING,
@@ -15,6 +15,7 @@ from scegen.understanding.phrases.lookahead import (
     sentence_end,
     value_at,
 )
+from scegen.understanding.words.terms import Term
 
 
 def landmark(target: NounPhrase | Event | None) -> NounPhrase | Event | None:
@@ -171,14 +172,14 @@ def _stands_before_subject(chunks: list[Chunk], m: int) -> bool:
 
 def _word_of(chunks: list[Chunk], m: int, classes: frozenset[str]) -> bool:
     chunk = chunk_at(chunks, m)
-    return isinstance(chunk, Word) and chunk.cat in classes
+    return isinstance(chunk, Term) and chunk.cat in classes
 
 
 def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
     """Index after a phrase of place that begins at chunk ``k``; None if none does."""
     first = chunks[k]
     m = k + 1
-    locus = isinstance(first, Word) and first.cat == "locus"
+    locus = isinstance(first, Term) and first.cat == "locus"
     while _word_of(chunks, m, GOVERNING):
         locus |= _word_of(chunks, m, frozenset({"locus"}))
         m += 1

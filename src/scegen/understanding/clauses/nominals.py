@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing, Word
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.clauses import relatives
 from scegen.understanding.clauses.attachment import attach
 from scegen.understanding.clauses.coordination import joins
@@ -18,6 +18,7 @@ from scegen.understanding.clauses.phrases import (
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.doings_named import DONE_TO
 from scegen.understanding.phrases.lookahead import finite_follows, is_word
+from scegen.understanding.words.terms import Term
 
 _REACH = 3
 _PARTS = frozenset({"side", "flank"})
@@ -98,7 +99,7 @@ def _goes_on_with(verb: Event, state: State) -> bool:
         return False
     if isinstance(following, Event):
         return following.form == "s" and not following.nominal
-    return isinstance(following, Word) and following.cat == "aux"
+    return isinstance(following, Term) and following.cat == "aux"
 
 
 def _waits_for_subject(verb: Event, state: State) -> bool:

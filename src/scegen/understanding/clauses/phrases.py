@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Word
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep
 from scegen.understanding.clauses.state import State
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import chunk_at, is_word, predicate_opens
+from scegen.understanding.words.terms import Term
 
 _RELATIVE = 3
 """A noun, "which", and "is"."""
@@ -77,7 +78,7 @@ def partitive_before(state: State) -> Mention | None:
     if not isinstance(part, Mention) or not is_word(of, "of"):
         return None
     named = isinstance(whole, Mention) and whole.pronoun == "they"
-    return part if named or (isinstance(whole, Word) and whole.cat == "rel") else None
+    return part if named or (isinstance(whole, Term) and whole.cat == "rel") else None
 
 
 def _described_role(state: State) -> bool:
@@ -89,7 +90,7 @@ def _described_role(state: State) -> bool:
     end = next((m for m, c in enumerate(after) if is_word(c, ",")), None)
     if end is None or not (noun.opened_by("indef") or noun.is_ego):
         return False
-    joined = any(isinstance(c, Word) and c.cat in {"conj", "sub", "copy"} for c in after[:end])
+    joined = any(isinstance(c, Term) and c.cat in {"conj", "sub", "copy"} for c in after[:end])
     verb = chunk_at(after, end + 1)
     return not joined and predicate_opens(verb)
 
@@ -105,8 +106,8 @@ def relative_noun(state: State) -> Mention | None:
     if len(before) < _RELATIVE or not isinstance(noun, Mention) or not noun.mods:
         return None
     who, joint, copula = before[-_RELATIVE:]
-    relative = isinstance(joint, Word) and joint.cat == "rel"
-    said = isinstance(copula, Word) and (copula.cat, copula.value) == ("aux", "be")
+    relative = isinstance(joint, Term) and joint.cat == "rel"
+    said = isinstance(copula, Term) and (copula.cat, copula.value) == ("aux", "be")
     single = noun.opened_by("indef") or noun.is_ego
     return who if relative and said and single and isinstance(who, Mention) else None
 

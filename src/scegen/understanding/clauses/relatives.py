@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention, Word
+from scegen.understanding.chunks import Event, Mention
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import is_word
+from scegen.understanding.words.terms import Term
 
 _ITS = frozenset({"it", "him", "they"})
 _DONE_TO_SOMEBODY = frozenset({"follow", "overtake", "pass", "bypass", "tailgate", "encounter",
@@ -50,11 +51,11 @@ def opens(mention: Mention, state: State) -> bool:
     The state keeps both nouns.
     """
     that = state.at(-1)
-    marked = isinstance(that, Word) and that.cat == "rel"
+    marked = isinstance(that, Term) and that.cat == "rel"
     between = -1 - marked
     between -= marked and is_word(state.at(between), ",")
     placed = state.at(between)  # "the car ahead, which the ego follows"
-    between -= marked and isinstance(placed, Word) and placed.cat == "locus"
+    between -= marked and isinstance(placed, Term) and placed.cat == "locus"
     about = state.at(between)
     if not isinstance(about, Mention) or not about.heads or about.possessor:
         return False
@@ -72,7 +73,7 @@ def _acts(state: State) -> bool:
         if isinstance(chunk, Event):
             free = not isinstance(state.at(n + 1), Mention)
             return chunk.name in _DONE_TO_SOMEBODY and free and not chunk.nominal
-        if not isinstance(chunk, Word) or chunk.cat not in {"aux", "manner", "neg"}:
+        if not isinstance(chunk, Term) or chunk.cat not in {"aux", "manner", "neg"}:
             return False
     return False
 

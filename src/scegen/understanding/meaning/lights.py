@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from scegen.scenario.signals import AtLight
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
@@ -112,7 +112,7 @@ def _before(chunks: list[Chunk]) -> list[Entity]:
             return list(chunk.entities)
         if isinstance(chunk, Place) and chunk.owner is not None:
             return _owner(chunk)
-        if isinstance(chunk, Event) or (isinstance(chunk, Word) and chunk.value in BOUNDARIES):
+        if isinstance(chunk, Event) or (isinstance(chunk, Term) and chunk.value in BOUNDARIES):
             break
     return []
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import HazardKind
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import chunk_at
+from scegen.understanding.words.terms import Term
 
 _IN_THE_WAY = 9
 _CARRIAGEWAY = frozenset({"road", "lane", "highway", "path", "crosswalk", "middle"})
@@ -54,9 +55,9 @@ def _in_the_way(thing: Thing, k: int, chunks: list[Chunk], draft: Draft) -> bool
             return chunk.kind in _CARRIAGEWAY
         if isinstance(chunk, Event):
             put = chunk.name == "block"
-        elif isinstance(chunk, Word) and chunk.cat == "prep":
+        elif isinstance(chunk, Term) and chunk.cat == "prep":
             put = draft.tokens[chunk.i].low in word_list("upon") or chunk.value == "into"
-        elif chunk.cat in _ENDS if isinstance(chunk, Word) else not put and chunk.prep is None:
+        elif chunk.cat in _ENDS if isinstance(chunk, Term) else not put and chunk.prep is None:
             return False
     return False
 

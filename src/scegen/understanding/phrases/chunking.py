@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import pairwise
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.naming import Namer
 from scegen.understanding.phrases.nominal import (
@@ -71,10 +71,10 @@ class Chunker:
         if (term.cat, term.value) == ("possessive", "genitive"):
             owner = self._last
             if not isinstance(owner, Mention) or not self._owns(k):
-                return self._add(Word(term), k + 1)
+                return self._add(term, k + 1)
             owner.possessor = True
         reached = self._noun_phrase(k)
-        return self._add(Word(term), k + 1) if reached is None else reached
+        return self._add(term, k + 1) if reached is None else reached
 
     def _breach(self, term: Term) -> Event:
         """``red light violation``: a noun of a doing with what it is done to before it."""

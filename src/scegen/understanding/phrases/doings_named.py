@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, teller_at
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, teller_at
 from scegen.understanding.phrases.lookahead import (
     BOUNDARIES,
     GOVERNING,
@@ -16,6 +16,7 @@ from scegen.understanding.phrases.lookahead import (
     value_at,
 )
 from scegen.understanding.phrases.nominal import WAYS
+from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
 _ENTERED = frozenset({"brake", "hard_brake", "slow", "stop", "overtake", "accelerate", "cut_in",
@@ -118,8 +119,8 @@ def _group(m: int, chunks: list[Chunk]) -> tuple[str, list[Chunk], int] | None:
     end = m + 2
     speed = chunk_at(chunks, end + 1)
     told = isinstance(noun, Mention) and value_at(chunks, end + 2) in _DOERS
-    if told and isinstance(speed, Word) and speed.cat == "quantity":
-        noun.mods = [*noun.mods, speed.term]  # "of a cyclist at 15 km/h by …"
+    if told and isinstance(speed, Term) and speed.cat == "quantity":
+        noun.mods = [*noun.mods, speed]  # "of a cyclist at 15 km/h by …"
         return word, chunks[m + 1 : end], end + 2
     return word, chunks[m + 1 : end], end
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import chunk_at, value_at
 from scegen.understanding.words.terms import Term
@@ -29,7 +29,7 @@ def lanes_meant(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         if lane is not None and found[-1:] and found[-1].i == lane.i:
             found.pop()  # "the left" of "the left one"
         elif isinstance(chunk, Place) and chunk.kind == "lane" and found[-2:-1] == [short]:
-            found.append(Word(Term("prep", "in", chunk.i, chunk.i)))
+            found.append(Term("prep", "in", chunk.i, chunk.i))
         found.append(lane or chunk)
         if lane is not None and value_at(chunks, k + 1) == "and":
             short = lane  # "in the left and the right lane": in both

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import (
     BOUNDARIES,
@@ -148,8 +148,8 @@ def in_between(chunks: list[Chunk]) -> list[Chunk]:
         mine = (ego.is_ego or ego.is_me) and value_at(chunks, k + 2) == "and"
         if stays and mine and not other.has("state", "parked"):
             one, two = ("behind", "ahead") if value_at(chunks, k + 4) == "behind" else _IN_LINE
-            found[k] = Word(Term("locus", one, chunks[k].i, chunks[k].j))
-            second[k + 3] = Word(Term("locus", two, other.i, other.i))
+            found[k] = Term("locus", one, chunks[k].i, chunks[k].j)
+            second[k + 3] = Term("locus", two, other.i, other.i)
     return [c for k, chunk in enumerate(found) for c in (second.get(k), chunk) if c is not None]
 
 

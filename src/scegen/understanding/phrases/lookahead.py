@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
+from scegen.understanding.words.terms import Term
 
 BOUNDARIES = frozenset({".", ";", "!", "?", ":"})
 ADVERBS = frozenset(
@@ -91,7 +92,7 @@ def finite_follows(chunks: list[Chunk], k: int) -> bool:
         chunk = chunks[k]
         if isinstance(chunk, Event):
             return auxiliary or chunk.form != "ing" or main_verb_follows(chunks, k)
-        if isinstance(chunk, Word):
+        if isinstance(chunk, Term):
             if chunk.cat in _LINKS or chunk.value == "," or ends(chunk):
                 return False
             if chunk.value == "to" and not isinstance(chunk_at(chunks, k + 1), Place):
@@ -139,7 +140,7 @@ def main_verb_follows(chunks: list[Chunk], k: int) -> bool:
     for chunk in chunks[k + 1 : k + _CLAUSE]:
         if isinstance(chunk, Event):
             return governed and not chunk.nominal and chunk.form in {"s", "ed"}
-        if isinstance(chunk, Word):
+        if isinstance(chunk, Term):
             if chunk.cat in _LINKS or (chunk.cat == "punct" and chunk.value not in "()"):
                 return False
             preposed = chunk.cat in GOVERNING
@@ -149,7 +150,7 @@ def main_verb_follows(chunks: list[Chunk], k: int) -> bool:
     return False
 
 
-def only_a_noun_follows(word: Word, k: int, chunks: list[Chunk]) -> bool:
+def only_a_noun_follows(word: Term, k: int, chunks: list[Chunk]) -> bool:
     """``after a car on its right``: a preposition, no clause."""
     following, place = chunk_at(chunks, k + 1), chunk_at(chunks, k - 1)
     if word.value == "when" and isinstance(place, Place) and "same" in place.dirs:
@@ -171,7 +172,7 @@ def by_follows(chunks: list[Chunk], k: int) -> bool:
             return False
         if chunk.value == "by":
             return True
-        if isinstance(chunk, Word) and chunk.cat not in {"prep", "locus", "manner", "dir"}:
+        if isinstance(chunk, Term) and chunk.cat not in {"prep", "locus", "manner", "dir"}:
             return False
     return False
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from itertools import pairwise, takewhile
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Word
+from scegen.understanding.chunks import Chunk, Event, Mention
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import chunk_at, ends, value_at
 from scegen.understanding.words.terms import Term, cat_at
@@ -54,7 +54,7 @@ class Namer:
             term = self.terms[m + 1]
             mention = Mention(term.i, term.j, list(first.mods), first.head, heads=first.heads)
             mention.label, mention.label_at = name, term.i
-            found += [Word(self.terms[m]), mention]
+            found += [self.terms[m], mention]
             named.append(mention)
             m += 2
         for one in named if found else []:  # "two cars A and B": the names say who the two are
@@ -117,7 +117,7 @@ def in_brackets(chunks: list[Chunk]) -> list[Chunk]:
         first, second = chunk_at(chunks, k - 1), chunk_at(chunks, k + 1)
         named = marks == ["(", ",", ")"] and isinstance(chunk_at(chunks, k - 3), Mention)
         if named and _says_who(first) and _says_who(second):
-            found += [Word(Term("punct", mark, chunk.i, chunk.i)) for mark in ")("]
+            found += [Term("punct", mark, chunk.i, chunk.i) for mark in ")("]
         else:
             found.append(chunk)
     return found
@@ -180,7 +180,7 @@ def counted_in(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             rest = replace(number, data={"number": number.data["number"] - 1})
             group.mods = [rest if t is number else t for t in group.mods]
             who.heads = [*group.heads, *who.heads]  # "four trucks including ours"
-            chunks[m - 1] = Word(Term("conj", "and", who.i, who.i))
+            chunks[m - 1] = Term("conj", "and", who.i, who.i)
             left_out |= {n for n in range(k + 1, m - 1) if chunks[n].value == ","}
             left_out |= {m + 1, m + 2} if among[1] else set()
     return [c for k, c in enumerate(chunks) if k not in left_out]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lanes_meant import MOVING
 from scegen.understanding.phrases.lookahead import BOUNDARIES, GOVERNING, cat_at, chunk_at, value_at
@@ -31,11 +31,11 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     found: list[Chunk] = []
     for k, chunk in enumerate(chunks):
         before = chunk_at(found, len(found) - 1)
-        if isinstance(chunk, Word) and _there(chunk, before, tokens):
+        if isinstance(chunk, Term) and _there(chunk, before, tokens):
             came = value_at(found, len(found) - 1) == "from"
             place = last.get("anywhere" if came else "lane")
             if place is not None:
-                found += [] if came else [Word(Term("prep", "in", chunk.i, chunk.j))]
+                found += [] if came else [Term("prep", "in", chunk.i, chunk.j)]
                 found.append(replace(place, i=chunk.i, j=chunk.j, mods=list(place.mods)))
                 continue
         if isinstance(chunk, Mention) and "exit" in last and _taken(chunk, before):
@@ -76,7 +76,7 @@ def which_is_it(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             it = replace(place, i=chunk.i, j=chunk.j)
         if it is not None:
             at = found[opens].i
-            joint = [Word(Term("punct", ",", at, at)), Word(Term("conj", "and", at, at))]
+            joint = [Term("punct", ",", at, at), Term("conj", "and", at, at)]
             found[opens:] = [*joint, *found[opens:], it]
             continue
         known = chunk if isinstance(chunk, Mention) else known
@@ -120,7 +120,7 @@ def _remember_goal(goal: Chunk, before: list[Chunk], last: dict[str, Place]) -> 
     verb = chunk_at(before, at)
     who = next((c for c in reversed(before[: max(at, 0)]) if isinstance(c, Mention)), None)
     moves = isinstance(verb, Event) and verb.name in MOVING | {"lane_change"}
-    ways = [goal.term] if isinstance(goal, Word) else goal.ways if isinstance(goal, Place) else []
+    ways = [goal] if isinstance(goal, Term) else goal.ways if isinstance(goal, Place) else []
     sides = [m for m in ways if m.value in {"left", "right"}]
     aside = not isinstance(goal, Place) or goal.kind == "side"
     if who is not None and who.is_ego and moves and aside and sides:
@@ -153,7 +153,7 @@ def _is_it(chunk: Chunk) -> bool:
     return isinstance(chunk, Mention) and chunk.pronoun == "it" and not chunk.possessor
 
 
-def _there(word: Word, before: Chunk | None, tokens: list[Token]) -> bool:
+def _there(word: Term, before: Chunk | None, tokens: list[Token]) -> bool:
     """``the car travelling there``, ``but there a van brakes``: not "there" at the start."""
     if tokens[word.i].low != "there" or word.j - word.i != 1 or before is None:
         return False

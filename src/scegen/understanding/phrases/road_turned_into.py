@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.scenario.vocabulary import CrossedArm
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.lexicon import word_list, word_lists
 from scegen.understanding.phrases.lookahead import cat_at, chunk_at, ends, value_at
 from scegen.understanding.phrases.which_road import turns
@@ -37,7 +37,7 @@ def name_turned_into(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         before, after = chunk_at(found, len(found) - 1), k + 1
         if isinstance(chunk, Place) and chunk.kind in _ROADS and chunk.arm is None:
             verb = next((c for c in reversed(found[begin:]) if isinstance(c, Event)), None)
-            onto = isinstance(before, Word) and tokens[before.i].low in {"into", "onto"}
+            onto = isinstance(before, Term) and tokens[before.i].low in {"into", "onto"}
             if onto and turns(verb):
                 told, after = _walked(chunks, k)
                 again = replace(chunk, arm=CrossedArm.EXIT, user=who)
@@ -87,7 +87,7 @@ def _walked(chunks: list[Chunk], k: int) -> tuple[list[Chunk], int]:
         who = chunk_at(chunks, m)
     if not isinstance(who, Mention):
         return [], k + 1
-    ends = Word(Term("punct", ".", who.i, who.i))
+    ends = Term("punct", ".", who.i, who.i)
     m += 1
     paced = cat_at(chunks, m) == "prep" and cat_at(chunks, m + 1) == "quantity"  # "at 5 km/h"
     pace = chunks[m : m + 2 * paced]

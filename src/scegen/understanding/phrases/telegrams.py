@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, teller_at
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, teller_at
 from scegen.understanding.phrases.doings_named import spell_out_doings
 from scegen.understanding.phrases.lookahead import GOVERNING, cat_at, chunk_at, ends, value_at
 from scegen.understanding.words.terms import Term
@@ -78,7 +78,7 @@ def _from_titles(chunks: list[Chunk]) -> list[Chunk]:
         if place is not None and isinstance(chunk_at(chunks, k + 1), Mention):
             word = "in" if place.kind == "lane" else "from"
             road = chunks[begin + 1 : k] if place.kind == "access" else []
-            preposed = Word(Term("prep", word, place.i, place.i))
+            preposed = Term("prep", word, place.i, place.i)
             found += [*chunks[done:begin], preposed, place, *road]
             done = k + 1
     return [*found, *chunks[done:]]
@@ -89,7 +89,7 @@ def _in_lanes(chunks: list[Chunk]) -> list[Chunk]:
     found: list[Chunk] = []
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Place) and chunk.kind == "lane" and _bare_lane(chunk, chunks, k):
-            found.append(Word(Term("prep", "in", chunk.i, chunk.i)))
+            found.append(Term("prep", "in", chunk.i, chunk.i))
         found.append(chunk)
     return found
 
@@ -106,7 +106,7 @@ def _bare_lane(lane: Place, chunks: list[Chunk], k: int) -> bool:
 
 def _titled(title: list[Chunk]) -> Place | None:
     first = title[0]
-    simple = all(isinstance(c, Word | Place) for c in title)
+    simple = all(isinstance(c, Term | Place) for c in title)
     named = isinstance(first, Place) and first.kind in {"access", "lane", "side", "leg"}
     return first if simple and named and isinstance(first, Place) else None
 
@@ -175,13 +175,13 @@ def _named_doing(event: Event, chunks: list[Chunk], k: int) -> bool:
 def _going(chunks: list[Chunk], k: int) -> Event | None:
     """``ego straight``, ``ego in reverse``: goes straight, backwards."""
     way = chunks[k]
-    if not isinstance(way, Word) or (way.cat, way.value) not in _WAYS:
+    if not isinstance(way, Term) or (way.cat, way.value) not in _WAYS:
         return None
     following = chunk_at(chunks, k + 1)
     free = ends(following) or value_at(chunks, k + 1) == "," or cat_at(chunks, k + 1) in _AFTER
     if not free or value_at(chunks, k + 1) == "of" or _clause_opener(chunks, k) is None:
         return None
-    return Event("move", way.i, way.j, "s", mods=[way.term], drives=True)
+    return Event("move", way.i, way.j, "s", mods=[way], drives=True)
 
 
 def _clause_opener(chunks: list[Chunk], k: int) -> Mention | None:
@@ -191,7 +191,7 @@ def _clause_opener(chunks: list[Chunk], k: int) -> Mention | None:
         if isinstance(chunk, Mention):
             if cat_at(chunks, m - 1) not in GOVERNING:
                 return chunk if _introduced(chunks, m - 1) else None
-        elif isinstance(chunk, Event) or (isinstance(chunk, Word) and chunk.cat not in _WITHIN):
+        elif isinstance(chunk, Event) or (isinstance(chunk, Term) and chunk.cat not in _WITHIN):
             return None
     return None
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.clauses.located import is_it
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.bonds import Bonds, bonds_of
@@ -12,6 +12,7 @@ from scegen.understanding.reference.egos import rank
 from scegen.understanding.reference.generic import mark_generic
 from scegen.understanding.reference.mention_words import is_pronoun
 from scegen.understanding.reference.own_vehicles import is_apart, teller_goes_by
+from scegen.understanding.words.terms import Term
 
 _BACKWARDS = {"ahead": "behind", "behind": "ahead"}
 
@@ -53,7 +54,7 @@ def _told_by_somebody(chunk: Chunk, discourse: Discourse) -> None:
     """``in our lane``, ``sits on my bumper``: whoever tells it takes part."""
     if isinstance(chunk, Place | Thing) and chunk.has("possessive", "first_person"):
         discourse.observer(chunk.i, chunk.j)
-    if isinstance(chunk, Word | Event) and discourse.tells(chunk.i, chunk.j):
+    if isinstance(chunk, Term | Event) and discourse.tells(chunk.i, chunk.j):
         discourse.observer(chunk.i, chunk.j)
 
 
@@ -69,9 +70,9 @@ def _named_later(pronoun: Mention, chunks: list[Chunk]) -> bool:
     if any(isinstance(c, Mention) and c.entities for c in chunks):
         return False
     for chunk in chunks:
-        if isinstance(chunk, Word) and chunk.i < pronoun.i:
+        if isinstance(chunk, Term) and chunk.i < pronoun.i:
             opened = opened or chunk.cat == "sub"
-        if isinstance(chunk, Word) and chunk.i > pronoun.i and chunk.value in {".", ";"}:
+        if isinstance(chunk, Term) and chunk.i > pronoun.i and chunk.value in {".", ";"}:
             return False
         if isinstance(chunk, Mention) and chunk.i > pronoun.i and chunk.heads:
             return opened

@@ -207,7 +207,7 @@ def prep(words: list[str]) -> PrepTest:
     free = ANY in values
 
     def fits(p: Prep, context: Context) -> bool:
-        word, value = context.tokens[p.word.i].low, p.word.term.value
+        word, value = context.tokens[p.word.i].low, p.word.value
         named = free or value in values or word in spelled or (bool(other) and word not in other)
         named = named or (bool(apart) and value not in apart)
         for o, v in outer if not named else ():

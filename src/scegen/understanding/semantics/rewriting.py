@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach, Maneuver
-from scegen.understanding.chunks import Mention, Prep, Thing, Word
+from scegen.understanding.chunks import Mention, Prep, Thing
 from scegen.understanding.entity import Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
@@ -51,7 +51,7 @@ def _take_round(clause: Clause, context: Context) -> None:
 def _lane_left(clause: Clause, _: Context) -> None:
     """``leaves the ego's lane``: that lane is where it comes from, not where it goes."""
     event, lane = clause.event, clause.event.object
-    source = Word(Term("prep", "from", event.i, event.i + 1))
+    source = Term("prep", "from", event.i, event.i + 1)
     event.pps, event.object = [*event.pps, Prep(source, lane)], None
 
 
