@@ -338,6 +338,8 @@ class Prep:
 
 
 Chunk: TypeAlias = Term | Mention | Place | Thing | Event
+NOTHING = Term("", "", -1, -1)
+"""What stands before the first chunk of a text, and behind the last."""
 
 
 def teller_at(i: int) -> Mention:

@@ -242,7 +242,7 @@ def _before_any_verb(figure: Figure, who: Mention) -> bool:
     if who.stands_after("of") or figure.text.within(figure.start, figure.i):
         return False
     between = [c for c in figure.text.chunks if who.j <= c.i < figure.i]
-    return all(isinstance(c, Term) and (c.cat in _BESIDES or c.value == ",") for c in between)
+    return all((c.cat in _BESIDES or c.value == ",") for c in between)
 
 
 def _opens_with(figure: Figure) -> list[Entity]:

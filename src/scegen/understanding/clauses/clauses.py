@@ -9,7 +9,7 @@ these decide who acts in participles ("a car turning left"), infinitives ("tries
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
+from scegen.understanding.chunks import NOTHING, Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.clauses import relatives, subjects
 from scegen.understanding.clauses.attachment import preposition, release
 from scegen.understanding.clauses.nominals import read_mention, read_noun
@@ -20,7 +20,6 @@ from scegen.understanding.phrases.lookahead import (
     GOVERNING,
     by_follows,
     event_follows,
-    is_word,
     only_a_noun_follows,
     view_of,
 )
@@ -83,12 +82,12 @@ class ClauseReader:
     def _joint(self, word: Term) -> None:
         """A word between phrases or clauses: "and", a comma, "where", "that"."""
         state, following = self._state, self._state.at(1)
-        if word.value == "before" and getattr(following, "cat", "") == "quantity":
+        if word.value == "before" and following.cat == "quantity":
             return  # "and after 3 s brakes": a moment, no clause
         ends = word.value == "," or word.cat in {"conj", "sub"}
         if ends and {"neg:not", "unknown"} <= state.between:
             state.between.discard("neg:not")  # "stands still but not centred, and I hit it"
-        denied = ends and getattr(state.at(-1), "cat", "") == "neg"
+        denied = ends and state.at(-1).cat == "neg"
         if denied and isinstance(following, Mention):  # "It can't, we ram it"
             state.between = {w for w in state.between if not w.startswith(("neg:", "aux:"))}
         state.between.add(word.value if word.cat in {"punct", "conj"} else word.cat)
@@ -106,7 +105,7 @@ class ClauseReader:
             state.resumed = [e for e in state.events if e.finite and e.subject]
         if word.cat == "sub" or word.value == ",":
             state.where = word.value == "where"
-        if word.cat == "rel" and _is_thing(state.at(-1 - is_word(state.at(-1), ","))):
+        if word.cat == "rel" and _is_thing(state.at(-1 - (state.at(-1).value == ","))):
             state.between.add("thing")
         if word.cat in {"sub", "conj"} and word.value != "or" and state.candidate_done:
             state.candidate = None
@@ -170,7 +169,7 @@ class ClauseReader:
             state.events[-1].mods.append(word)
         elif state.candidate is not None:
             state.candidate.mods.append(word)
-        elif word.cat == "manner" and isinstance(state.at(1 + is_word(following, ",")), Mention):
+        elif word.cat == "manner" and isinstance(state.at(1 + (following.value == ",")), Mention):
             state.ahead.append(word)  # "Suddenly a van …", "In reverse, the ego …"
         elif self.events and not state.mentions and word.cat != "quantity":
             self.events[-1].mods.append(word)
@@ -200,10 +199,10 @@ class ClauseReader:
         following = self._state.at(1)
         finite = not event.nominal and event.form != "ing"
         before, opener = (self._state.at(n) for n in (-1, -2))
-        if isinstance(before, Term) and before.cat == "conj":
+        if before.cat == "conj":
             return False  # "comes up from behind and overtakes the ego"
-        adverb = isinstance(before, Term) and before.cat == "manner" and event.name == "move"
-        opens = opener is None or (isinstance(opener, Term) and opener.cat in _OPENERS)
+        adverb = before.cat == "manner" and event.name == "move"
+        opens = opener is NOTHING or opener.cat in _OPENERS
         fronted = bool(self._state.fronted) or (adverb and opens)
         return fronted and finite and isinstance(following, Mention)
 
@@ -282,6 +281,6 @@ class ClauseReader:
         return any(word is not None and word.value == "without" for word in (by, own))
 
 
-def _is_thing(chunk: Chunk | None) -> bool:
+def _is_thing(chunk: Chunk) -> bool:
     """``a fallen tree that blocks the lane``: the tree does it, and no participant."""
     return isinstance(chunk, Thing) and chunk.lies_there

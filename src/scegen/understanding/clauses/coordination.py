@@ -6,7 +6,7 @@ from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.clauses.dependents import alternative, chain
 from scegen.understanding.clauses.located import is_it
 from scegen.understanding.clauses.state import State
-from scegen.understanding.phrases.lookahead import is_word, sentence_end
+from scegen.understanding.phrases.lookahead import sentence_end
 from scegen.understanding.words.terms import Term
 
 _SHAPES = {"base": "inf", "ing": "ing"}
@@ -125,7 +125,7 @@ def joins(mention: Mention, state: State) -> bool:
     waiting = waiting and not any(anchor in event.subject for event in state.events)
     said = bool({"aux:be", "aux:have"} & state.between) or _is_somewhere(anchor, state)
     said = said or state.being is not None
-    told = state.verb_follows or is_word(state.at(1), "be")
+    told = state.verb_follows or state.at(1).value == "be"
     complete = said and told  # "I'm here and a van …", "and a van is behind it"
     if complete or (state.between == {","} and not (waiting and _list_goes_on(state))):
         return False
@@ -148,7 +148,7 @@ def joins(mention: Mention, state: State) -> bool:
 def _is_somewhere(who: Mention, state: State) -> bool:
     """``we're in the left lane of the motorway and a van …``: a clause of its own, without verb."""
     since = [c for c in state.chunks[: state.k] if c.i >= who.j]
-    return any(isinstance(c, Term) and (c.cat, c.value) == ("aux", "be") for c in since)
+    return any((c.cat, c.value) == ("aux", "be") for c in since)
 
 
 def _list_goes_on(state: State) -> bool:
@@ -187,5 +187,5 @@ def _in_parallel(anchor: Mention, state: State) -> bool:
     if not known or state.last is None or state.last.object is not anchor:
         return False
     before, place, after = (state.at(n) for n in (-3, -2, 1))
-    prep = isinstance(before, Term) and before.cat == "prep" and is_word(after, before.value)
+    prep = before.cat == "prep" and after.value == before.value
     return prep and isinstance(place, Place)

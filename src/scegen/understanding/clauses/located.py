@@ -11,11 +11,9 @@ from scegen.understanding.phrases.lookahead import (
     behind_insertion,
     cat_at,
     chunk_at,
-    is_word,
     sentence_end,
     value_at,
 )
-from scegen.understanding.words.terms import Term
 
 
 def landmark(target: NounPhrase | Event | None) -> NounPhrase | Event | None:
@@ -101,7 +99,7 @@ def _lane_beside(lane: Place, side: Place, state: State) -> bool:
     if not within or not set(side.dirs) & {"left", "right"}:
         return False
     whose, who = state.at(1), state.at(2)
-    owned = is_word(whose, "of") and isinstance(who, Mention)
+    owned = whose.value == "of" and isinstance(who, Mention)
     if owned and isinstance(who, Mention):
         lane.beside = who
     verb = state.at(-3)  # "enters the lane to the left"
@@ -172,14 +170,14 @@ def _stands_before_subject(chunks: list[Chunk], m: int) -> bool:
 
 def _word_of(chunks: list[Chunk], m: int, classes: frozenset[str]) -> bool:
     chunk = chunk_at(chunks, m)
-    return isinstance(chunk, Term) and chunk.cat in classes
+    return chunk.cat in classes
 
 
 def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
     """Index after a phrase of place that begins at chunk ``k``; None if none does."""
     first = chunks[k]
     m = k + 1
-    locus = isinstance(first, Term) and first.cat == "locus"
+    locus = first.cat == "locus"
     while _word_of(chunks, m, GOVERNING):
         locus |= _word_of(chunks, m, frozenset({"locus"}))
         m += 1

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
+from scegen.understanding.chunks import NOTHING, Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.clauses import relatives
 from scegen.understanding.clauses.attachment import attach
 from scegen.understanding.clauses.coordination import joins
@@ -17,8 +17,7 @@ from scegen.understanding.clauses.phrases import (
 )
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.doings_named import DONE_TO
-from scegen.understanding.phrases.lookahead import finite_follows, is_word
-from scegen.understanding.words.terms import Term
+from scegen.understanding.phrases.lookahead import finite_follows
 
 _REACH = 3
 _PARTS = frozenset({"side", "flank"})
@@ -94,12 +93,12 @@ def _takes(verb: Event, state: State) -> bool:
 def _goes_on_with(verb: Event, state: State) -> bool:
     """``once it has cut in it brakes``: the next verb has no other subject."""
     complete = verb.finite and state.candidate_done and state.relative is None
-    following = next((c for c in state.after(3) if getattr(c, "cat", "") != "manner"), None)
+    following = next((c for c in state.after(3) if c.cat != "manner"), NOTHING)
     if not complete or verb.control == "object":
         return False
     if isinstance(following, Event):
         return following.form == "s" and not following.nominal
-    return isinstance(following, Term) and following.cat == "aux"
+    return following.cat == "aux"
 
 
 def _waits_for_subject(verb: Event, state: State) -> bool:
@@ -236,7 +235,7 @@ def _whole(part: NounPhrase, state: State) -> tuple[NounPhrase, int]:
     """``the left part of the ego's front``: what it is a part of, and how far behind."""
     owner = state.at(2)
     behind = 3 if isinstance(owner, Mention) and owner.possessor else 2
-    whole = state.at(behind) if is_word(state.at(1), "of") else None
+    whole = state.at(behind) if state.at(1).value == "of" else None
     return (whole, behind) if isinstance(whole, Place | Thing) else (part, 0)
 
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep
 from scegen.understanding.clauses.state import State
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.phrases.lookahead import chunk_at, is_word, predicate_opens
-from scegen.understanding.words.terms import Term
+from scegen.understanding.phrases.lookahead import chunk_at, predicate_opens
 
 _RELATIVE = 3
 """A noun, "which", and "is"."""
@@ -27,11 +26,8 @@ def apposed_to(state: State) -> Mention | None:
     )
     if not waiting or state.between != {","} or state.candidate_done:
         return None
-    if is_word(state.at(1), ","):
-        described = predicate_opens(state.at(2))
-    else:
-        described = _described_role(state)
-    return who if described else None
+    told = predicate_opens(state.at(2)) if state.at(1).value == "," else _described_role(state)
+    return who if told else None
 
 
 def also_from(noun: NounPhrase, state: State) -> bool:
@@ -54,7 +50,7 @@ def also_from(noun: NounPhrase, state: State) -> bool:
 
 def bracketed(state: State) -> bool:
     """``vehicle 1 (a taxi)``: a noun alone in brackets describes the noun before."""
-    return is_word(state.at(-1), "(") and is_word(state.at(1), ")")
+    return state.at(-1).value == "(" and state.at(1).value == ")"
 
 
 def _names_before(state: State) -> bool:
@@ -63,7 +59,7 @@ def _names_before(state: State) -> bool:
     if state.between != {","} or not isinstance(before, Mention) or not isinstance(here, Mention):
         return False
     following = state.at(1)
-    listed = getattr(following, "cat", "") == "conj" and not is_word(state.at(-1), "mild")
+    listed = following.cat == "conj" and state.at(-1).value != "mild"
     acts = isinstance(following, Event) and following.form != "ing"
     named = before.is_named and not here.is_named
     told = here.has("det", "indef") or (here.is_ego and bool(here.mods))
@@ -75,10 +71,10 @@ def partitive_before(state: State) -> Mention | None:
     part, of, whole = (state.at(n) for n in (-3, -2, -1))
     if isinstance(whole, Mention) and whole.pronoun in word_list("parts"):
         return whole
-    if not isinstance(part, Mention) or not is_word(of, "of"):
+    if not isinstance(part, Mention) or of.value != "of":
         return None
     named = isinstance(whole, Mention) and whole.pronoun == "they"
-    return part if named or (isinstance(whole, Term) and whole.cat == "rel") else None
+    return part if named or (whole.cat == "rel") else None
 
 
 def _described_role(state: State) -> bool:
@@ -87,10 +83,10 @@ def _described_role(state: State) -> bool:
     if role is None or not role.heads or not isinstance(noun, Mention) or not noun.mods:
         return False
     after = state.after(8)
-    end = next((m for m, c in enumerate(after) if is_word(c, ",")), None)
+    end = next((m for m, c in enumerate(after) if c.value == ","), None)
     if end is None or not (noun.opened_by("indef") or noun.is_ego):
         return False
-    joined = any(isinstance(c, Term) and c.cat in {"conj", "sub", "copy"} for c in after[:end])
+    joined = any(c.cat in {"conj", "sub", "copy"} for c in after[:end])
     verb = chunk_at(after, end + 1)
     return not joined and predicate_opens(verb)
 
@@ -102,12 +98,12 @@ def relative_noun(state: State) -> Mention | None:
         Whom it describes, if it does.
     """
     noun = state.at(0)
-    before = [c for c in state.before(4) if getattr(c, "value", "") != ","]
+    before = [c for c in state.before(4) if c.value != ","]
     if len(before) < _RELATIVE or not isinstance(noun, Mention) or not noun.mods:
         return None
     who, joint, copula = before[-_RELATIVE:]
-    relative = isinstance(joint, Term) and joint.cat == "rel"
-    said = isinstance(copula, Term) and (copula.cat, copula.value) == ("aux", "be")
+    relative = joint.cat == "rel"
+    said = (copula.cat, copula.value) == ("aux", "be")
     single = noun.opened_by("indef") or noun.is_ego
     return who if relative and said and single and isinstance(who, Mention) else None
 
@@ -124,5 +120,5 @@ def further_ones(mention: Mention, state: State) -> bool:
     if number is None or number.data["number"] < 2:
         return False
     again = isinstance(following, Event) and following.form == "ing" and participle
-    off = is_word(following, "from")
+    off = following.value == "from"
     return again or (off and state.last_prep is not None and state.last_prep.value == "from")

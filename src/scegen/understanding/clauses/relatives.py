@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Event, Mention
 from scegen.understanding.clauses.state import State
-from scegen.understanding.phrases.lookahead import is_word
 from scegen.understanding.words.terms import Term
 
 _ITS = frozenset({"it", "him", "they"})
@@ -34,7 +33,7 @@ def _about_another(state: State) -> bool:
     k = next((k for k in range(state.k, 0, -1) if state.chunks[k].cat == "rel"), begin)
     if k <= begin:
         return False  # nothing stands before "which"
-    comma, opened = is_word(state.chunks[k - 1], ","), [c.value for c in state.chunks[begin:k]]
+    comma, opened = state.chunks[k - 1].value == ",", [c.value for c in state.chunks[begin:k]]
     apart = not isinstance(state.chunks[k - 1 - comma], Mention)
     alone = not comma and state.waiting is not None and "be" not in opened
     return alone or apart or opened[0] == "thereis"
@@ -51,11 +50,11 @@ def opens(mention: Mention, state: State) -> bool:
     The state keeps both nouns.
     """
     that = state.at(-1)
-    marked = isinstance(that, Term) and that.cat == "rel"
+    marked = that.cat == "rel"
     between = -1 - marked
-    between -= marked and is_word(state.at(between), ",")
+    between -= marked and state.at(between).value == ","
     placed = state.at(between)  # "the car ahead, which the ego follows"
-    between -= marked and isinstance(placed, Term) and placed.cat == "locus"
+    between -= marked and placed.cat == "locus"
     about = state.at(between)
     if not isinstance(about, Mention) or not about.heads or about.possessor:
         return False
@@ -98,7 +97,7 @@ def close(event: Event, state: State) -> bool:
 
 def closed(state: State) -> bool:
     """``drives ahead of the ego, which is as fast, and brakes``: who drives, not the ego."""
-    return "conj" in state.between and is_word(state.at(-2), ",") and bool(state.events)
+    return "conj" in state.between and state.at(-2).value == "," and bool(state.events)
 
 
 def aside(event: Event, events: list[Event]) -> bool:

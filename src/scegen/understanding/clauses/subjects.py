@@ -15,7 +15,7 @@ from scegen.understanding.clauses.dependents import (
 from scegen.understanding.clauses.located import RESTING
 from scegen.understanding.clauses.relatives import antecedent, closed, told
 from scegen.understanding.clauses.state import State
-from scegen.understanding.phrases.lookahead import is_word, main_verb_follows
+from scegen.understanding.phrases.lookahead import main_verb_follows
 
 PASSIVE = frozenset(
     {"collide", "cut_off", "block", "follow", "overtake", "bypass", "hide", "tailgate", "cause",
@@ -93,7 +93,7 @@ def _said_of_a_thing(event: Event, state: State) -> None:
     if "aux:be" in state.between:
         if passive:
             event.passive, event.object = event.name in PASSIVE, topic
-    elif topic is not None and (event.name in _OF_PARTS or is_word(state.at(1), "into")):
+    elif topic is not None and (event.name in _OF_PARTS or state.at(1).value == "into"):
         its = state.main if topic.has("possessive", "its") else []
         its = [teller_at(topic.i)] if topic.has("possessive", "first_person") else its
         # "the front of the van struck …", "its front appears …", "my bumper runs into …"

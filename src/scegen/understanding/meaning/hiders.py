@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Thing
+from scegen.understanding.chunks import NOTHING, Chunk, Event, Thing
 from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at
 from scegen.understanding.words.terms import Term
 
@@ -45,19 +45,17 @@ def _hides(chunks: list[Chunk], k: int) -> bool:
 def _end(chunks: list[Chunk], k: int) -> int:
     """Where a noun with an article ends whose last word is in no lexicon; 0 if none begins."""
     opener = chunk_at(chunks, k)
-    if not isinstance(opener, Term) or opener.cat not in _OPENERS:
+    if opener.cat not in _OPENERS:
         return 0
     m = k + 1
     while m < len(chunks) and m - k < _LONGEST:
         chunk = chunks[m]
         noun_like = isinstance(chunk, Event) and chunk.form == "base" and m > k + 1
-        if not (noun_like or (isinstance(chunk, Term) and chunk.cat in _DESCRIBING)):
+        if not (noun_like or (chunk.cat in _DESCRIBING)):
             break
         m += 1
     last, after = chunks[m - 1], chunk_at(chunks, m)
-    named = m > k + 1 and (isinstance(last, Event) or getattr(last, "cat", "") == "unknown")
-    ends = after is None or (
-        isinstance(after, Term) and (after.cat in _ENDS or after.value in BOUNDARIES)
-    )
+    named = m > k + 1 and (isinstance(last, Event) or last.cat == "unknown")
+    ends = after is NOTHING or after.cat in _ENDS or after.value in BOUNDARIES
     verb = isinstance(after, Event) and after.form in {"s", "ed", "ing"}
     return m if named and (ends or verb) else 0

@@ -112,7 +112,7 @@ def _before(chunks: list[Chunk]) -> list[Entity]:
             return list(chunk.entities)
         if isinstance(chunk, Place) and chunk.owner is not None:
             return _owner(chunk)
-        if isinstance(chunk, Event) or (isinstance(chunk, Term) and chunk.value in BOUNDARIES):
+        if isinstance(chunk, Event) or (chunk.value in BOUNDARIES):
             break
     return []
 

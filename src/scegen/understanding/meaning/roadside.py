@@ -55,7 +55,7 @@ def _in_the_way(thing: Thing, k: int, chunks: list[Chunk], draft: Draft) -> bool
             return chunk.kind in _CARRIAGEWAY
         if isinstance(chunk, Event):
             put = chunk.name == "block"
-        elif isinstance(chunk, Term) and chunk.cat == "prep":
+        elif chunk.cat == "prep":
             put = draft.tokens[chunk.i].low in word_list("upon") or chunk.value == "into"
         elif chunk.cat in _ENDS if isinstance(chunk, Term) else not put and chunk.prep is None:
             return False

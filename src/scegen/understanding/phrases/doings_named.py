@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, teller_at
+from scegen.understanding.chunks import NOTHING, Chunk, Event, Mention, Place, Thing, teller_at
 from scegen.understanding.phrases.lookahead import (
     BOUNDARIES,
     GOVERNING,
@@ -97,7 +97,7 @@ def _last_told(k: int, chunks: list[Chunk]) -> Mention | None:
     if not isinstance(event, Event) or event.name not in _ENTERED:
         return None
     bare = all(m.cat == "manner" for m in event.mods)
-    if not bare or mark is None or cat_at(chunks, k + 1) not in _HOW:
+    if not bare or mark is NOTHING or cat_at(chunks, k + 1) not in _HOW:
         return None
     for m in range(k - 2, -1, -1):
         who = chunks[m]
@@ -163,7 +163,7 @@ def entitle(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> No
 
 
 def _opens(doing: Event, chunks: list[Chunk]) -> bool:
-    return ends(next((c for c in reversed(chunks) if c.j <= doing.i), None))
+    return ends(next((c for c in reversed(chunks) if c.j <= doing.i), NOTHING))
 
 
 def _whole_title(doing: Event, title: list[Chunk], events: list[Event]) -> bool:

@@ -61,7 +61,7 @@ def _anybody(mention: Mention) -> bool:
     return "vague" in data or "driver" in data
 
 
-def _opens_entry(title: list[Chunk], who: Mention, after: Chunk | None) -> bool:
+def _opens_entry(title: list[Chunk], who: Mention, after: Chunk) -> bool:
     """``Target: bus, 40 km/h``, ``Vehicle ahead: van``: its kind comes right after the colon."""
     mere = title[0] is who and [c.cat for c in title[1:]] in ([], ["locus"])
     return mere and isinstance(after, Mention) and _bare(who) and who.noun in _GENERIC

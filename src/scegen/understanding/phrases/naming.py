@@ -186,7 +186,7 @@ def counted_in(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     return [c for k, c in enumerate(chunks) if k not in left_out]
 
 
-def _says_who(chunk: Chunk | None) -> bool:
+def _says_who(chunk: Chunk) -> bool:
     """The ego, or a kind ("a truck", "passenger car")."""
     if not isinstance(chunk, Mention):
         return False

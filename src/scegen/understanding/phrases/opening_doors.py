@@ -30,7 +30,7 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         what, whose = chunk_at(chunks, k + 1), chunk_at(chunks, k + 2)
         if ends(chunk):
             found, after = [*found, *after], []
-        of = what is not None and what.value == "of" and isinstance(whose, Mention)
+        of = what.value == "of" and isinstance(chunk, Event)
         if of and isinstance(chunk, Event) and isinstance(whose, Mention) and _named(chunk, found):
             comma = Term("punct", ",", chunk.i, chunk.i)  # "hits the open door of a van"
             opened = replace(chunk, mods=[], form="s")

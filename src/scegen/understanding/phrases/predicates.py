@@ -10,7 +10,7 @@ from scegen.understanding.phrases.doings_named import entitle
 from scegen.understanding.phrases.lookahead import BOUNDARIES, cat_at, chunk_at, ends, value_at
 from scegen.understanding.phrases.nominal import WAYS
 from scegen.understanding.words.terms import Term, longest_match
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.tokens import Token, low_at
 
 _OPENERS = frozenset({",", "and", "but", "while", "when", "(", ":"})
 _ENDS = frozenset({",", "and", "but", "while", "when", "(", ")", "before", "or",
@@ -125,7 +125,7 @@ def _on_whose_way(
         return verb.subject if verb.name in _HOLDING and not verb.passive else []
     prep = chunk_at(chunks, k - 1)
     prep = chunk_at(chunks, k - 2) if isinstance(prep, Mention) else prep
-    if not isinstance(prep, Term) or tokens[prep.i].low not in word_list("along"):
+    if not isinstance(prep, Term) or low_at(tokens, prep.i) not in word_list("along"):
         return []
     for chunk in reversed(chunks[:k]):
         if ends(chunk):

@@ -137,14 +137,13 @@ def _remember_road(before: list[Chunk], last: dict[str, Place]) -> None:
         last["road"] = replace(roads[0], mods=[*roads[0].mods, *sides])
 
 
-def _taken(mention: Mention, before: Chunk | None) -> bool:
+def _taken(mention: Mention, before: Chunk) -> bool:
     """``takes the first exit, the bus takes the second``: an exit, too."""
-    goal = before is not None and before.cat == "prep"
     taken = isinstance(before, Event) and before.name in {"leave", "use"}
-    return mention.pronoun == "ordinal" and (goal or taken)
+    return mention.pronoun == "ordinal" and (before.cat == "prep" or taken)
 
 
-def _across_it(chunk: Chunk, verb: Chunk | None) -> bool:
+def _across_it(chunk: Chunk, verb: Chunk) -> bool:
     """``approaches a zebra crossing; a cyclist rides across it``: the crossing, nobody."""
     return _is_it(chunk) and isinstance(verb, Event) and verb.name == "cross" and not verb.nominal
 
@@ -153,8 +152,8 @@ def _is_it(chunk: Chunk) -> bool:
     return isinstance(chunk, Mention) and chunk.pronoun == "it" and not chunk.possessor
 
 
-def _there(word: Term, before: Chunk | None, tokens: list[Token]) -> bool:
+def _there(word: Term, before: Chunk, tokens: list[Token]) -> bool:
     """``the car travelling there``, ``but there a van brakes``: not "there" at the start."""
-    if tokens[word.i].low != "there" or word.j - word.i != 1 or before is None:
+    if tokens[word.i].low != "there" or word.j - word.i != 1:
         return False
     return isinstance(before, Event | Mention) or before.cat == "conj" or before.value == "from"

@@ -59,8 +59,8 @@ def name_roads(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     return _without_asides(found, tokens)
 
 
-def _text(chunk: Chunk | None, tokens: list[Token]) -> str:
-    return " ".join(t.low for t in tokens[chunk.i : chunk.j]) if chunk is not None else ""
+def _text(chunk: Chunk, tokens: list[Token]) -> str:
+    return " ".join(t.low for t in tokens[chunk.i : chunk.j])
 
 
 def _arm_clause(chunks: list[Chunk], k: int, tokens: list[Token]) -> tuple[int, CrossedArm] | None:
@@ -141,7 +141,7 @@ def _course(
         return None
     m, against = k, False
     word = chunks[k]
-    if isinstance(word, Term) and word.cat in {"prep", "locus", "dir"}:
+    if word.cat in {"prep", "locus", "dir"}:
         against = _text(word, tokens) in ways["against"]
         if not against and _text(word, tokens) not in ways["along"]:
             return None

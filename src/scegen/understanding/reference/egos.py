@@ -8,6 +8,7 @@ from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Chunk, Event, Mention
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.phrases.lookahead import chunk_at, value_at
 from scegen.understanding.reference.mention_words import Reading
 from scegen.understanding.reference.roster import Group, Roster, claimed
 from scegen.understanding.words.numbers import POSITIONS
@@ -122,12 +123,11 @@ def rank(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
             continue
         bare = isinstance(place, Mention) and not place.heads
         label = tokens[place.j - 1].low if bare or isinstance(place, Term) else ""
-        within = isinstance(prep, Term) and prep.value in ({"of", "in"} if bare else {"in"})
+        within = prep.value in ({"of", "in"} if bare else {"in"})
         if label not in POSITIONS or not within:
             continue
-        is_, before = [None, None, *chunks[:k]][:-3:-1] if bare else (None, None)
         if bare:  # "the ego is the last of three cars"
-            told = isinstance(is_, Term) and (is_.cat, is_.value) == ("aux", "be")
+            before, told = chunk_at(chunks, k - 2), value_at(chunks, k - 1) == "be"
             who = [before] if told and isinstance(before, Mention) else []
         else:
             who = [m for m in named for p in m.pps if p.target is row]

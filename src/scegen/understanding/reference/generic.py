@@ -79,13 +79,13 @@ def _fits(mention: Mention, prep: Term, tokens: list[Token]) -> bool:
 
 def _only_the_scene(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
     """``Stop-and-go traffic on a ring road; the car ahead …``: where it all takes place."""
-    opens = k == 0 or getattr(chunks[k - 1], "value", "") in BOUNDARIES
+    opens = k == 0 or chunks[k - 1].value in BOUNDARIES
     if not opens or not mention.is_mass or mention.dirs:
         return False
     for chunk in chunks[k + 1 :]:
         if isinstance(chunk, Event | Mention):
             return False
-        if isinstance(chunk, Term) and chunk.value in BOUNDARIES:
+        if chunk.value in BOUNDARIES:
             after = [c for c in chunks if c.i > chunk.i and isinstance(c, Mention) and c.heads]
             return any(not c.is_ego for c in after)
     return False

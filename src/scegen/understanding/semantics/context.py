@@ -226,8 +226,8 @@ def stray_clauses(chunks: list[Chunk], clauses: list[Clause]) -> Iterator[Clause
         elif not isinstance(noun, Place) or id(noun) in taken:
             continue
         else:
-            opens = all(getattr(c, "cat", "") == "punct" for c in before[-2:-1])
-            heads = [c for c in after if getattr(c, "value", "") != ","][:1] if opens else []
+            opens = all(c.cat == "punct" for c in before[-2:-1])
+            heads = [c for c in after if c.value != ","][:1] if opens else []
             who = next((c for c in heads if isinstance(c, Mention)), None)
         event = Event("", noun.prep.i, noun.j, "", pps=[Prep(noun.prep, noun)])
         yield Clause(event, list(who.entities) if who is not None else [], [])
