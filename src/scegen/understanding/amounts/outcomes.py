@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from scegen.scenario.model import Interval
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.spacings import CONTACT, Measure
@@ -136,12 +134,8 @@ def _by_a_part(event: Event, text: Telling) -> bool:
     helped = event.i > 0 and text.tokens[event.i - 1].low in word_list("required")
     first = event.i - helped  # "its front shall meet the bicycle"
     parts = (c for c in text.chunks if first in {c.j, getattr(getattr(c, "owner", None), "j", -1)})
-    return _bodies((*by, *parts))
-
-
-def _bodies(nouns: Iterable[object]) -> bool:
-    """Whether one of some nouns is a part of a vehicle."""
-    return any(isinstance(n, Place) and n.kind in _BODY for n in nouns)
+    # Whether one of some nouns is a part of a vehicle
+    return any(isinstance(n, Place) and n.kind in _BODY for n in (*by, *parts))
 
 
 def _in_time(scene: Clause, text: Telling) -> Ending | None:

@@ -63,12 +63,8 @@ def score(expect: Mapping[str, Any], scenario: FunctionalScenario) -> Score:
     return Score(fields, tuple(problems))
 
 
-def _counted(participant: Participant) -> str:
-    return f"parked_{participant.kind}" if participant.parked else str(participant.kind)
-
-
 def _actors(expect: Mapping[str, Any], scenario: FunctionalScenario) -> str | None:
-    found = Counter(_counted(p) for p in scenario.participants)
+    found = Counter(f"parked_{p.kind}" if p.parked else str(p.kind) for p in scenario.participants)
     wanted: Mapping[str, list[int]] = expect["actors"]
     for kind, (fewest, most) in wanted.items():
         if not fewest <= found[kind] <= most:
