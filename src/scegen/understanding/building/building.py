@@ -13,7 +13,6 @@ from scegen.scenario.junction import Junction
 from scegen.scenario.roadway import Strip
 from scegen.scenario.signals import AtLight
 from scegen.scenario.vocabulary import Approach, Control, HazardKind, JunctionKind, Maneuver, Role
-from scegen.understanding.building.happening import Writer
 from scegen.understanding.building.in_lane import (
     lanes_of,
     past_people,
@@ -31,10 +30,10 @@ from scegen.understanding.building.open_road import (
     in_one_lane,
     in_the_way,
 )
-from scegen.understanding.building.proving import Proofs
 from scegen.understanding.building.strips import settle_ramp
 from scegen.understanding.building.unsaid import maneuvers_of, some_of
 from scegen.understanding.building.viewpoint import settle_arms, settle_positions, settle_roads
+from scegen.understanding.building.writing import Proofs, Writer
 from scegen.understanding.draft import Danger, Draft
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Happenings

@@ -15,7 +15,7 @@ from scegen.scenario.roadway import (
 from scegen.scenario.vocabulary import Approach, JunctionKind, Maneuver
 from scegen.understanding.building.in_lane import JOINING
 from scegen.understanding.building.leftovers import ONE_RAMP
-from scegen.understanding.building.proving import Proofs
+from scegen.understanding.building.writing import Proofs
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.road.lengthwise import Lengthwise

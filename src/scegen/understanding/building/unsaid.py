@@ -15,7 +15,7 @@ from scegen.scenario.vocabulary import (
     JunctionKind,
     Maneuver,
 )
-from scegen.understanding.building.proving import Proofs
+from scegen.understanding.building.writing import Proofs
 from scegen.understanding.draft import TURNS, Draft
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Happenings

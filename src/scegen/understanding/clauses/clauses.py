@@ -10,8 +10,9 @@ these decide who acts in participles ("a car turning left"), infinitives ("tries
 from __future__ import annotations
 
 from scegen.understanding.chunks import NOTHING, Chunk, Event, Mention, Place, Prep, Thing
-from scegen.understanding.clauses import relatives, subjects
+from scegen.understanding.clauses import subjects
 from scegen.understanding.clauses.attachment import preposition, release
+from scegen.understanding.clauses.further import close_relative
 from scegen.understanding.clauses.nominals import read_mention, read_noun
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import (
@@ -242,7 +243,7 @@ class ClauseReader:
         event.sentence = self._sentence
         event.mods += state.ahead
         state.ahead = []
-        if relatives.close(event, state):
+        if close_relative(event, state):
             self.events.append(event)
             return
         if self._inverted(event):

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import NOTHING, Event, Mention, NounPhrase, Place, Prep, Thing
-from scegen.understanding.clauses import relatives
 from scegen.understanding.clauses.attachment import attach
 from scegen.understanding.clauses.coordination import joins
-from scegen.understanding.clauses.located import place_in_front, side_of_place
-from scegen.understanding.clauses.phrases import (
+from scegen.understanding.clauses.further import (
     also_from,
     apposed_to,
     bracketed,
     further_ones,
+    opens_relative,
     partitive_before,
     relative_noun,
 )
+from scegen.understanding.clauses.located import place_in_front, side_of_place
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.doings_named import DONE_TO
 from scegen.understanding.phrases.lookahead import finite_follows
@@ -38,7 +38,7 @@ def read_mention(mention: Mention, state: State) -> None:
     if state.prep is not None:
         _prepositional(mention, state.prep, state)
         return
-    if relatives.opens(mention, state):
+    if opens_relative(mention, state):
         return
     anchor = state.anchor
     direct = isinstance(anchor, Event) and not anchor.nominal and not state.between

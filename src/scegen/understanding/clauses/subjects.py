@@ -12,8 +12,8 @@ from scegen.understanding.clauses.dependents import (
     infinitive,
     nominal,
 )
+from scegen.understanding.clauses.further import antecedent, is_closed, told
 from scegen.understanding.clauses.located import RESTING
-from scegen.understanding.clauses.relatives import antecedent, closed, told
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import main_verb_follows
 
@@ -103,7 +103,7 @@ def _said_of_a_thing(event: Event, state: State) -> None:
 def _clause(event: Event, state: State) -> None:
     anchor = state.anchor
     between = state.between
-    event.embedded = ("rel" in between and not closed(state)) or state.where
+    event.embedded = ("rel" in between and not is_closed(state)) or state.where
     event.supplement = {"rel", ","} <= between
     noun = _noun_described(event, state) if event.reduced else None
     if noun is not None:

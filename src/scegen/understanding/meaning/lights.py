@@ -12,9 +12,9 @@ from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at, value_at
+from scegen.understanding.road import absent
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.rows import say
-from scegen.understanding.words import absent
 from scegen.understanding.words.terms import Term
 
 _TURNS = "nothing says what anybody does as the light changes; it changes by its plan"

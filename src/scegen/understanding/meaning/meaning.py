@@ -7,11 +7,10 @@ from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thin
 from scegen.understanding.clauses.located import own_lane
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.meaning import placing, rows
+from scegen.understanding.meaning import placing
 from scegen.understanding.meaning.breaches import out_of_turn
 from scegen.understanding.meaning.lights import read_lights
-from scegen.understanding.meaning.manner import Manners, jam, note_braking
-from scegen.understanding.meaning.reactions import mark_answers, mark_late
+from scegen.understanding.meaning.manner import Manners, jam, mark_answers, mark_late, note_braking
 from scegen.understanding.meaning.roadside import read_thing
 from scegen.understanding.phrases.listed import each_side, from_everywhere
 from scegen.understanding.semantics.context import (
@@ -90,7 +89,7 @@ class Interpreter:
         self._named(chunks, events, of_nouns)
         mark_answers(events)
         mark_late(events, self._context)
-        rows.line_up(chunks, events, self._draft)
+        placing.line_up(chunks, events, self._draft)
         for clause in sorted(told, key=lambda clause: not clause.tells_parked):
             self._event(clause)  # where "a van parked on the right" stands is known to all
         read_lights(self._clauses, chunks, self._context)

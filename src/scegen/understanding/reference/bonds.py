@@ -17,8 +17,8 @@ from scegen.understanding.chunks import (
     Prep,
     Thing,
 )
+from scegen.understanding.clauses.further import aside
 from scegen.understanding.clauses.located import is_it
-from scegen.understanding.clauses.relatives import aside
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.listed import sides_of
 from scegen.understanding.phrases.lookahead import BOUNDARIES

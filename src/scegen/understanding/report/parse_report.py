@@ -8,12 +8,14 @@ from dataclasses import asdict, dataclass, replace
 from enum import StrEnum
 from typing import Any
 
+from pydantic import Field
+
 from scegen.errors import InfeasibleError
 from scegen.scenario.evidence import Evidence, EvidenceSource
 from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.model import FrozenModel
 from scegen.understanding.building.coverage import CONTRADICTS
 from scegen.understanding.reader import read
-from scegen.understanding.report.disagreement import Disagreement, Kept
 
 _QUOTED = re.compile(r"'([^']+)'")
 
@@ -197,3 +199,26 @@ def _words(value: object) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     return f"{value:.4g}" if isinstance(value, float) else str(value)
+
+
+class Kept(StrEnum):
+    """Whose value stands."""
+
+    READER = "reader"
+    AGENTS = "agents"
+
+
+class Disagreement(FrozenModel):
+    """A fact of the text that the offline reader and the agents read differently.
+
+    ``start`` and ``end`` are the place of ``words`` in the description.
+    """
+
+    field: str
+    words: str
+    start: int = Field(ge=0)
+    end: int = Field(ge=0)
+    reader: str
+    agents: str
+    kept: Kept
+    reason: str

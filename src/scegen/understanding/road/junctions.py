@@ -10,9 +10,8 @@ from scegen.scenario.junction import ARM_COUNTS, MAX_ARMS
 from scegen.scenario.vocabulary import Control, JunctionKind
 from scegen.understanding.entity import Basis
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.road.dark_lights import flashing, out_of_order
-from scegen.understanding.words import absent
-from scegen.understanding.words.absent import named_by_letter, only_counted
+from scegen.understanding.road import absent
+from scegen.understanding.road.absent import flashing, named_by_letter, only_counted, out_of_order
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 

@@ -16,7 +16,7 @@ from scegen.understanding.entity import Basis
 from scegen.understanding.frames.loader import cues
 from scegen.understanding.frames.windows import frame_of, window
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.words import absent
+from scegen.understanding.road import absent
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 

@@ -13,10 +13,9 @@ from scegen.understanding.chunks import NounPhrase, Prep
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Doing
 from scegen.understanding.semantics.context import Clause, Context, span
-from scegen.understanding.semantics.marks import MARKS, Mark, first
+from scegen.understanding.semantics.marks import MARKS, REWRITES, Mark, first
 from scegen.understanding.semantics.met import apart
 from scegen.understanding.semantics.patterns import end, noun, people, phrases
-from scegen.understanding.semantics.rewriting import REWRITES
 from scegen.understanding.semantics.seen import Site
 from scegen.understanding.semantics.sites import PUTS
 from scegen.understanding.semantics.ways import VALUES, WORDS

@@ -9,8 +9,8 @@ from scegen.scenario.vocabulary import Maneuver
 from scegen.understanding.entity import Entity
 from scegen.understanding.semantics import lanes, met, seen, ways
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.marks import passes_round
 from scegen.understanding.semantics.met import goal_of_contact
-from scegen.understanding.semantics.rewriting import passes_round
 
 Test: TypeAlias = Callable[[Clause, Context], bool]
 _SCREENED = 12

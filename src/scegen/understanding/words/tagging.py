@@ -8,7 +8,14 @@ from functools import lru_cache
 from scegen.understanding.lexicon import Entry, word_list
 from scegen.understanding.words.choosing import choose, is_adverb
 from scegen.understanding.words.contexts import retag
-from scegen.understanding.words.labels import name_letters, named_at, street_name, with_articles
+from scegen.understanding.words.names import (
+    name_letters,
+    named_at,
+    street_name,
+    who_drive,
+    whose_doing,
+    with_articles,
+)
 from scegen.understanding.words.numbers import number_at
 from scegen.understanding.words.paces import bare_speed
 from scegen.understanding.words.particles import (
@@ -24,7 +31,6 @@ from scegen.understanding.words.particles import (
 from scegen.understanding.words.quantities import OPENS, quantity_at
 from scegen.understanding.words.terms import Match, Term, begins, longest_match
 from scegen.understanding.words.tokens import Token, low_at
-from scegen.understanding.words.unknown_drivers import who_drive, whose_doing
 
 _NOUNS = ("actor", "place", "thing", "inert")
 _ON_FOOT_MPS = 3.0
