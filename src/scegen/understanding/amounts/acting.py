@@ -143,7 +143,7 @@ def _acts_of(scene: Clause, text: Telling) -> list[Doing]:
             doing.always = doing.forced = False
         if whom and doing.kind in {ActKind.STOP, ActKind.GIVE_WAY}:
             doing.into, doing.into_basis = whom[0], doing.basis
-        if doing.kind is ActKind.STOP and doing.entity.halts:
+        if doing.kind is ActKind.STOP and "halts" in doing.entity.told:
             doing.kind, doing.into = ActKind.CROSS, None  # as far as the kerb
             doing.amounts["distance_m"] = Amount(STILL, doing.basis)
         again = _then_again(doing, text)

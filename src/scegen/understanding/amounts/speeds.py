@@ -81,7 +81,7 @@ def _can(entity: Entity, speed: Interval, near: list[Entity]) -> bool:
 
     If somebody else stands nearer, what one does by muscle in traffic is the most.
     """
-    stands = entity.still or entity.held is not None
+    stands = entity.still or "held" in entity.told
     stays = stands and not entity.ego and entity.sets_off < 0 and speed.high > 0
     own = not near or entity in near or entity.kind not in _BY_MUSCLE
     top = BODIES[entity.kind].top_speed_mps

@@ -174,7 +174,8 @@ class Builder:
         if (along := self._in_next_lane(entity)) is not None:
             seen = seen | along[0]
         maneuvers = maneuvers_of(entity, junction, self.draft)
-        ring = junction.kind is JunctionKind.ROUNDABOUT and entity.circulates is not None
+        circulates = entity.told.get("circulates")
+        ring = junction.kind is JunctionKind.ROUNDABOUT and circulates is not None
         light = self._light(entity, maneuvers, junction)
         delay = entity.green_delay if light[0] is AtLight.WAITS else None
         there = Maneuver.CROSS in maneuvers and junction.kind is not JunctionKind.STRAIGHT
@@ -190,7 +191,7 @@ class Builder:
                 lanes_of(entity, junction),
                 entity.start_lane[1] if entity.start_lane is not None else None,
             ),
-            "circulating": (ring, entity.circulates),
+            "circulating": (ring, circulates),
             "on_call": (entity.on_call is not None, entity.on_call),
             "strip": entity.strip or _NOT_SAID,
             # on a road without a junction there is but one way to cross

@@ -96,8 +96,7 @@ def _used(draft: Draft, term: Term, crossing: bool) -> bool:
     if crossing and term.value == "exit":
         return True
     if term.value in {"ramp", "exit"}:
-        users = (basis for e in draft.entities for basis in (e.by_ramp, e.exits))
-        return any(basis is not None for basis in users)
+        return any(e.by_ramp is not None or "exits" in e.told for e in draft.entities)
     strips = [(*e.strip, e.ego) for e in draft.entities if e.strip is not None]
     return any(
         (b.i or 0) <= term.i < (b.j or 0) or (ego and strip.value == term.value)

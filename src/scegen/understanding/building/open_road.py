@@ -33,8 +33,9 @@ def at_the_edge(draft: Draft, happenings: Happenings) -> None:
     told += ending.between if ending is not None and ending.kind is not OutcomeKind.AVOIDED else []
     for entity in draft.entities:
         stays = bool(entity.maneuvers) and entity.maneuvers <= {Maneuver.STAY, Maneuver.STRAIGHT}
-        if stays and entity.roadside is not None and not entity.is_vehicle and entity not in told:
-            entity.strip = entity.strip or (Strip.PAVEMENT, entity.roadside)
+        words = entity.told.get("roadside")
+        if stays and words is not None and not entity.is_vehicle and entity not in told:
+            entity.strip = entity.strip or (Strip.PAVEMENT, words)
 
 
 def in_one_lane(draft: Draft, happenings: Happenings) -> None:

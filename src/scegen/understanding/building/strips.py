@@ -114,7 +114,8 @@ def auxiliary_lane(draft: Draft, *, drops: bool) -> Used:
     driven = [e for e in draft.entities if e.moving_vehicle]
     for words in (e.by_ramp for e in driven if e.by_ramp is not None):
         return AuxiliaryLane.LANE_DROP if drops else AuxiliaryLane.ON_RAMP, words
-    return next(((AuxiliaryLane.OFF_RAMP, e.exits) for e in driven if e.exits is not None), None)
+    exits = (basis for e in driven if (basis := e.told.get("exits")) is not None)
+    return next(((AuxiliaryLane.OFF_RAMP, basis) for basis in exits), None)
 
 
 def settle_ramp(
@@ -124,8 +125,9 @@ def settle_ramp(
     kerb = Approach(draft.kerb)
     leaves = auxiliary is AuxiliaryLane.OFF_RAMP
     for entity in draft.entities:
-        basis = entity.exits if leaves else entity.by_ramp
-        draft.note_at(None if leaves else entity.exits, ONE_RAMP)
+        exits = entity.told.get("exits")
+        basis = exits if leaves else entity.by_ramp
+        draft.note_at(None if leaves else exits, ONE_RAMP)
         if basis is None or not entity.moving_vehicle:
             continue
         entity.maneuvers = {Maneuver.EXIT if leaves else Maneuver.MERGE}

@@ -171,7 +171,8 @@ def _answer(light: _Light, change: Clause, clauses: list[Clause], context: Conte
                 _note(entity, meets, _joined(event, clause.event), context)
             return
     for entity in light.whose if colour is AtLight.GREEN else []:
-        _note(entity, AtLight.WAITS if entity.held else AtLight.GREEN, change.words, context)
+        meets = AtLight.WAITS if "held" in entity.told else AtLight.GREEN
+        _note(entity, meets, change.words, context)
     here = [c for c in clauses if c.event.sentence == event.sentence and not c.event.negated]
     for clause in here if colour is AtLight.RED else []:  # who keeps the rules stops there
         if clause.event.name == "approach" and _link(clause, change, context) != "after":
@@ -219,7 +220,7 @@ def _report(
     draft = context.draft
     told = [e.light[1] for e in draft.entities if e.light is not None]
     told += [d.basis for d in draft.dangers if d.kind is HazardKind.RED_LIGHT_RUNNING]
-    held = any(e.held or e.stands is not None for e in draft.entities)
+    held = any("held" in e.told or e.stands is not None for e in draft.entities)
     for light in [] if told or held else lights:
         if light.change is None:
             draft.note(light.place.i, light.place.j, _NOBODYS)

@@ -54,7 +54,7 @@ def _locus(prep: Prep, entities: list[Entity], event: Event | None, context: Con
         return  # "between the ego and the kerb"
     clause = Clause(event or Event("", prep.word.i, prep.word.j, ""), entities, [])
     led = prep.who.entities if prep.who is not None else []
-    circulate = any(e.circulates for e in led)
+    circulate = any("circulates" in e.told for e in led)
     follows = prep.value == "behind" and not circulate and holds("gets_in_line", clause, context)
     moves = event is not None and event.name not in word_list("steady")
     if moves and prep.outer != "from" and not follows:

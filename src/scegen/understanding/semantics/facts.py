@@ -30,7 +30,7 @@ def _rests_there(clause: Clause, _: Context) -> bool:
 
 
 def _rests(entity: Entity, i: int) -> bool:
-    said = [b for b in (entity.stands, entity.held, *entity.rests) if b is not None]
+    said = [b for b in (entity.stands, entity.told.get("held"), *entity.rests) if b is not None]
     stays = entity.parked or (entity.stands is not None and entity.sets_off < 0)
     return stays or any(b.i == i for b in said)
 

@@ -13,14 +13,23 @@ from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.words.terms import Term
 
-Mark: TypeAlias = Callable[[Entity, Basis], None]
+Mark: TypeAlias = Callable[[Entity, Basis], object]
 
 _RUNNING = Interval(low=2.2, high=3.8)
 """From Euro NCAP's running adult (8 km/h, AEB VRU protocol) up; the upper end is our own."""
-_TOLD = ("was_parked", "moves", "stands", "waits", "bides", "on_ramp", "by_ramp", "roadside",
-         "exits", "circulates", "through", "held")  # fmt: skip
+NOTED = frozenset({
+    "moves", "through", "circulates", "waits", "on_ramp", "roadside", "exits", "gives_way",
+    "held",  # it stands at a light when it begins
+    "bides",  # it waits to turn
+    "begins_over",  # it only begins to change lanes, as far as has been told
+    "goes_back",  # it goes back before it has changed lanes
+    "walks_up",  # it goes towards the road, on foot, and has not crossed it
+    "halts",  # it stops at the kerb, and does not go on
+    "gone_by",  # it has passed before what is told with it
+})  # fmt: skip
+"""What only rows, or few besides, ask of a participant again."""
+_TOLD = ("was_parked", "stands", "by_ramp")
 """Fields that hold the first words that say so."""
-_TRUE = ("pulls_out", "gives_way", "walks_up", "halts", "begins_over", "goes_back", "gone_by")
 _EITHER = {"along": ("course", True), "against": ("course", False),
            "on_minor": ("on_minor", True), "on_major": ("on_minor", False)}  # fmt: skip
 """Fields that hold whether it is so, and the first words that say it."""
@@ -42,8 +51,8 @@ def first(field: str, value: object) -> Mark:
     return mark
 
 
-def _true(field: str) -> Mark:
-    return lambda entity, _: setattr(entity, field, True)
+def _noted(word: str) -> Mark:
+    return lambda entity, basis: entity.told.setdefault(word, basis)
 
 
 def _parked(entity: Entity, basis: Basis) -> None:
@@ -103,8 +112,9 @@ def _parks(entity: Entity, basis: Basis) -> None:
 
 MARKS: dict[str, Mark] = {
     **{field: _told(field) for field in _TOLD},
-    **{field: _true(field) for field in _TRUE},
+    **{word: _noted(word) for word in NOTED},
     **{name: first(field, so) for name, (field, so) in _EITHER.items()},
+    "pulls_out": lambda entity, _: setattr(entity, "pulls_out", True),
     "parked": _parked,
     "parks": _parks,
     "in_the_lane": in_the_lane,

@@ -16,6 +16,7 @@ from scegen.understanding.entity import Entity
 from scegen.understanding.semantics import lanes, met
 from scegen.understanding.semantics.approaches import FACING, SIDES
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.marks import NOTED
 from scegen.understanding.semantics.patterns import people, phrases
 
 Who: TypeAlias = Callable[[Clause, Context], list[Entity]]
@@ -47,8 +48,7 @@ def _placed(place: Approach) -> EntityTest:
     return lambda e, c: c.placed(e, place)
 
 
-_IS = ("parked", "still", "pulls_out", "walks_up", "gives_way", "halts", "begins_over", "goes_back",
-       "nears", "gone_by", "ego", "circulates")  # fmt: skip
+_IS = ("parked", "still", "pulls_out", "nears", "ego")
 _PLACES = {"beside": Approach.ADJACENT} | {
     str(a): a for a in (Approach.AHEAD, Approach.BEHIND, Approach.LEFT, Approach.RIGHT)
 }
@@ -66,10 +66,7 @@ ENTITY: dict[str, EntityTest] = {
     "moving": lambda e, _: e.moving_vehicle,
     **{name: _is(name) for name in _IS},
     "stands": lambda e, _: e.stands is not None,
-    "held": lambda e, _: e.held is not None,
-    "underway": lambda e, _: e.moves is not None,
     "goes_off": lambda e, _: e.sets_off >= 0,
-    "on_ramp": lambda e, _: e.on_ramp is not None,
     "bus": lambda e, _: e.kind is ParticipantKind.BUS,
     "cyclist": lambda e, _: e.kind is ParticipantKind.BICYCLE,
     "free": lambda e, _: not e.maneuvers,
@@ -111,7 +108,7 @@ def entity(word: str) -> EntityTest:
     """What a word asks of a participant.
 
     Args:
-        word: one of `ENTITY`, or ``does.MANEUVER|…`` (among others), ``only.MANEUVER``,
+        word: one of `ENTITY` or `NOTED`, ``does.MANEUVER|…`` (among others), ``only.MANEUVER``,
             ``causes.HAZARD``, ``suffers.HAZARD``.
     """
     name, _, detail = word.partition(".")
@@ -125,7 +122,7 @@ def entity(word: str) -> EntityTest:
         if name == "causes":
             return lambda e, c: e in c.draft.causing(*kinds)
         return lambda e, c: e in c.draft.suffering(*kinds)
-    return ENTITY[name]
+    return (lambda e, _: name in e.told) if name in NOTED else ENTITY[name]
 
 
 def _owners_of(kind: str) -> Who:
