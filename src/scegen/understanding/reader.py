@@ -25,9 +25,8 @@ from scegen.understanding.clauses.ellipsis import (
 )
 from scegen.understanding.draft import Draft
 from scegen.understanding.frames import Numbers
-from scegen.understanding.meaning.breaches import too_fast
 from scegen.understanding.meaning.lights import read_calls
-from scegen.understanding.meaning.manner import Manners
+from scegen.understanding.meaning.manner import Manners, too_fast
 from scegen.understanding.meaning.meaning import Interpreter
 from scegen.understanding.meaning.roadside import name_hiders
 from scegen.understanding.phrases.chunking import Chunker

@@ -37,7 +37,7 @@ from scegen.understanding.building.writing import Proofs, Writer
 from scegen.understanding.draft import Danger, Draft
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Happenings
-from scegen.understanding.meaning.breaches import onto_the_road
+from scegen.understanding.meaning.manner import onto_the_road
 from scegen.understanding.road.junctions import JunctionReading
 from scegen.understanding.road.lengthwise import Lengthwise
 from scegen.understanding.road.surroundings import Surroundings

@@ -19,7 +19,7 @@ from scegen.understanding.building.writing import Proofs
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.road.lengthwise import Lengthwise
-from scegen.understanding.semantics.approaches import INVERSE
+from scegen.understanding.semantics.lanes import INVERSE
 
 AT_JUNCTIONS = "built only along a road without a junction; here the plain road is"
 _INNER_SHOULDER = "no shoulder is built along the median; here it is on the outer one"

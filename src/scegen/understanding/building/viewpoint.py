@@ -16,7 +16,7 @@ from scegen.scenario.vocabulary import (
 )
 from scegen.understanding.draft import Draft, Placement
 from scegen.understanding.entity import Basis, Entity
-from scegen.understanding.semantics.approaches import INVERSE
+from scegen.understanding.semantics.lanes import INVERSE
 
 _COMPASS = ("north", "east", "south", "west")
 _SEEN = {1: Approach.LEFT, 2: Approach.OPPOSITE, 3: Approach.RIGHT}

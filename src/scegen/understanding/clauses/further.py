@@ -93,11 +93,7 @@ def _described_role(state: State) -> bool:
 
 
 def relative_noun(state: State) -> Mention | None:
-    """``struck vehicle 2, which was a taxi``: the noun says what vehicle 2 is.
-
-    Returns:
-        Whom it describes, if it does.
-    """
+    """``struck vehicle 2, which was a taxi``: the noun says what vehicle 2 is."""
     noun = state.at(0)
     before = [c for c in state.before(4) if c.value != ","]
     if len(before) < _RELATIVE or not isinstance(noun, Mention) or not noun.mods:

@@ -8,9 +8,15 @@ from scegen.understanding.clauses.located import own_lane
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.meaning import placing
-from scegen.understanding.meaning.breaches import out_of_turn
 from scegen.understanding.meaning.lights import read_lights
-from scegen.understanding.meaning.manner import Manners, jam, mark_answers, mark_late, note_braking
+from scegen.understanding.meaning.manner import (
+    Manners,
+    jam,
+    mark_answers,
+    mark_late,
+    note_braking,
+    out_of_turn,
+)
 from scegen.understanding.meaning.roadside import read_thing
 from scegen.understanding.phrases.listed import each_side, from_everywhere
 from scegen.understanding.semantics.context import (

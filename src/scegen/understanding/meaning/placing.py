@@ -12,9 +12,9 @@ from scegen.understanding.clauses.located import landmark
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.semantics.approaches import INVERSE, adjective_approaches
 from scegen.understanding.semantics.conditions import holds
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.lanes import INVERSE, adjective_approaches
 from scegen.understanding.semantics.rows import say
 from scegen.understanding.words.terms import Term
 

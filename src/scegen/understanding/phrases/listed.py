@@ -30,10 +30,6 @@ def list_them(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
 
     Behind the verb ("two people cross, a woman and a man"), and wherever a colon opens the list
     ("three vehicles meet: a bus turns, …"), they are marked as ``listed``.
-
-    Args:
-        chunks: the chunks of the text.
-        tokens: its tokens.
     """
     for k, counted in enumerate(chunks):
         count = _size(counted)

@@ -20,12 +20,7 @@ _ON_FOOT = frozenset({"cross", "walk"})
 
 
 def name_turned_into(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
-    """The chunks; a road that is told by the turn into it is an arm, a clause on it a sentence.
-
-    Args:
-        chunks: of the text.
-        tokens: of the text.
-    """
+    """The chunks; a road that is told by the turn into it is an arm, a clause on it a sentence."""
     turn = next((k for k, c in enumerate(chunks) if turns(c)), None)
     if turn is None:
         return chunks

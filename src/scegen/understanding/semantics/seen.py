@@ -11,14 +11,14 @@ from scegen.understanding.chunks import Mention, NounPhrase, Place, Prep
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.semantics.approaches import (
+from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.lanes import (
     BY_DIR,
     FACING,
     INVERSE,
     SIDES,
     place_approaches,
 )
-from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.words.quantities import ends_a_quantity
 
 

@@ -7,11 +7,11 @@ from scegen.scenario.vocabulary import Approach, CrossedArm, HazardKind, Maneuve
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Danger
 from scegen.understanding.entity import Basis, Entity
-from scegen.understanding.semantics.approaches import SIDES
 from scegen.understanding.semantics.context import Context
 from scegen.understanding.semantics.lanes import (
     EITHER,
     FROM_SIDE,
+    SIDES,
     counted_from,
     lane_number,
 )

@@ -14,8 +14,8 @@ from typing import TypeAlias
 from scegen.scenario.vocabulary import Approach, Control, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.entity import Entity
 from scegen.understanding.semantics import lanes, met
-from scegen.understanding.semantics.approaches import FACING, SIDES
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.lanes import FACING, SIDES
 from scegen.understanding.semantics.marks import NOTED
 from scegen.understanding.semantics.patterns import people, phrases
 

@@ -111,12 +111,7 @@ GENITIVES = frozenset({"'s", "'"})
 
 
 def around_somebody(tokens: list[Token], term: Term) -> tuple[Term, int, int] | None:
-    """The verb before a name, and from where to where the phrase goes on behind the name.
-
-    Args:
-        tokens: of the text.
-        term: the word as it reads alone.
-    """
+    """The verb before a name, and from where to where the phrase goes on behind the name."""
     if term.cat not in {"verb", "prep", "locus", "unknown"}:
         return None
     for end in range(term.i + 2, min(term.i + _FARTHEST, len(tokens))):
