@@ -24,20 +24,11 @@ def _is(name: str) -> Test:
     return lambda clause, _: bool(getattr(clause.event, name))
 
 
-def _rests_there(clause: Clause, _: Context) -> bool:
-    """``has stopped in the lane``: where everybody who acts is, nothing that they do."""
-    return bool(clause.actors) and all(_rests(e, clause.event.i) for e in clause.actors)
-
-
 def _rests(entity: Entity, i: int) -> bool:
+    """``has stopped in the lane``: where somebody is, nothing that one does."""
     said = [b for b in (entity.stands, entity.told.get("held"), *entity.rests) if b is not None]
     stays = entity.parked or (entity.stands is not None and entity.sets_off < 0)
     return stays or any(b.i == i for b in said)
-
-
-def _from_rest(clause: Clause, _: Context) -> bool:
-    """``accelerates from standstill``."""
-    return any(e.stands is not None and e.sets_off >= clause.event.i for e in clause.actors)
 
 
 def _moves_over(clause: Clause, _: Context) -> bool:
@@ -98,11 +89,15 @@ FACTS: dict[str, Test] = {
     "people_act": lambda clause, _: any(
         h.value == "pedestrian" for m in clause.event.subject for h in m.heads
     ),
-    "rests_there": _rests_there,
+    "rests_there": lambda clause, _: (
+        bool(clause.actors) and all(_rests(e, clause.event.i) for e in clause.actors)
+    ),
     "braked_before": lambda clause, _: any(
         e.brakes_from is not None and e.brakes_from < clause.event.i for e in clause.actors
     ),
-    "from_rest": _from_rest,
+    "from_rest": lambda clause, _: any(  # "accelerates from standstill"
+        e.stands is not None and e.sets_off >= clause.event.i for e in clause.actors
+    ),
     "moves_over": _moves_over,
     **lanes.FACTS,
     **ways.FACTS,

@@ -32,11 +32,11 @@ def _from_the_next(clause: Clause, context: Context) -> bool:
     return named and entered and any(context.placed(e, Approach.ADJACENT) for e in who)
 
 
-def _against(entity: Entity, place: Place) -> bool:
+def _against(entity: Entity, place: Place | None) -> bool:
     """Whether a lane leads the other way than somebody is headed ("the northbound lane")."""
-    ways = {m.value for m in place.mods if m.cat == "compass"}
-    heading = entity.heading or ""
-    return place.kind == "lane" and FACING.get(heading, "") in ways
+    if place is None or place.kind != "lane":
+        return False
+    return place.has("compass", FACING.get(entity.heading or "", ""))
 
 
 def owners(lane: Place | None, clause: Clause, context: Context) -> list[Entity]:
@@ -95,14 +95,11 @@ def _head_on_somewhere(clause: Clause, context: Context) -> bool:
     )
 
 
-def _against_lane(clause: Clause, _: Context) -> bool:
-    lane = into_lane(clause.event)
-    return lane is not None and any(_against(e, lane) for e in clause.drivers)
-
-
 FACTS: dict[str, Callable[[Clause, Context], bool]] = {
     "from_the_next": _from_the_next,
-    "against_lane": _against_lane,
+    "against_lane": lambda clause, _: any(
+        _against(e, into_lane(clause.event)) for e in clause.drivers
+    ),
     "head_on_somewhere": _head_on_somewhere,
     "head_on": lambda clause, c: _head_on(clause, into_lane(clause.event), c),
 }

@@ -96,10 +96,6 @@ def _runs(entity: Entity, basis: Basis) -> None:
         entity.speed, entity.speed_basis = _RUNNING, basis
 
 
-def _forgets(entity: Entity, _: Basis) -> None:
-    entity.maneuvers = set()
-
-
 def _parks(entity: Entity, basis: Basis) -> None:
     """Unless the text says before or after that it drives."""
     at = basis.i or 0
@@ -122,7 +118,7 @@ MARKS: dict[str, Mark] = {
     "stands_aside": _stands_aside,
     "sets_off": _sets_off,
     "runs": _runs,
-    "forgets": _forgets,
+    "forgets": lambda entity, _: setattr(entity, "maneuvers", set()),
 }
 """Mark -> what it sets; ``forgets``: what was said of its way before no longer holds."""
 

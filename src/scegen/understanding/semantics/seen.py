@@ -164,11 +164,6 @@ def _crossing_to(entity: Entity, site: Site) -> None:
         site.context.draft.place(entity, None, whence, site.basis)
 
 
-def _far_side(entity: Entity, site: Site) -> None:
-    """``from the other side``: which one that is, the whole text tells."""
-    entity.far_side = entity.far_side or site.basis
-
-
 def settle_far_sides(draft: Draft) -> None:
     """Not the side where somebody else is said to be, else not the one of the ego's kerb."""
     crossing = [e for e in draft.entities if e.far_side is not None]
@@ -221,7 +216,8 @@ SEEN: dict[str, Put] = {
     "headed": _headed,
     "crossing_to": _crossing_to,
     "abreast": _abreast,
-    "far_side": _far_side,
+    # "from the other side": which one that is, the whole text tells
+    "far_side": lambda entity, site: setattr(entity, "far_side", entity.far_side or site.basis),
     "either_side": _either_side,
     "apart": _apart,
     "egos_lane": _in_the_egos_lane,
@@ -229,12 +225,8 @@ SEEN: dict[str, Put] = {
 """Name -> what a phrase of place says of where somebody is seen, or headed."""
 
 
-def _within_the_lane(clause: Clause, context: Context) -> bool:
-    """``offset 0.5 m to the left``, ``the lane change of the lead to the left``: no place."""
-    return any(_is_offset(p, clause, context) for p in clause.event.pps)
-
-
 def _is_offset(phrase: Prep, clause: Clause, context: Context) -> bool:
+    """``offset 0.5 m to the left``, ``the lane change of the lead to the left``: no place."""
     tokens, i, value, place = context.tokens, phrase.word.i, phrase.value, phrase.target
     if value == "to" and any(e.dirs & {"ahead", "behind"} for e in clause.actors):
         return True
@@ -249,7 +241,7 @@ def _is_offset(phrase: Prep, clause: Clause, context: Context) -> bool:
 
 
 FACTS = {
-    "within_the_lane": _within_the_lane,
+    "within_the_lane": lambda clause, c: any(_is_offset(p, clause, c) for p in clause.event.pps),
     "own_heading": lambda clause, _: any(m.cat == "compass" for m in clause.event.mods),
     "several": lambda clause, _: len(clause.actors) > 1,
 }

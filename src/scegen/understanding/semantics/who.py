@@ -34,12 +34,6 @@ def _leads(e: Entity, context: Context) -> bool:
     )
 
 
-def _may_cross(entity: Entity, _: Context) -> bool:
-    """Whoever is said to, or is on foot and not said to keep along the road."""
-    afoot = not entity.is_vehicle and entity.maneuvers != {Maneuver.STRAIGHT}
-    return afoot or Maneuver.CROSS in entity.maneuvers
-
-
 def _is(name: str) -> EntityTest:
     return lambda e, _: bool(getattr(e, name))
 
@@ -54,7 +48,10 @@ _PLACES = {"beside": Approach.ADJACENT} | {
 }
 
 ENTITY: dict[str, EntityTest] = {
-    "may_cross": _may_cross,
+    # whoever is said to, or is on foot and not said to keep along the road
+    "may_cross": lambda e, _: (
+        Maneuver.CROSS in e.maneuvers or not (e.is_vehicle or e.maneuvers == {Maneuver.STRAIGHT})
+    ),
     "stood": lambda e, _: e.pulls_out or e.was_parked is not None or e.stands is not None,
     "stood_free": lambda e, c: e.is_vehicle and e.stands is not None and c.junction.control is None,
     "braked": lambda e, c: (
@@ -146,11 +143,6 @@ def _others(clause: Clause, context: Context) -> list[Entity]:
     return [e for e in context.draft.entities if e not in clause.actors]
 
 
-def _hit(clause: Clause, _: Context) -> list[Entity]:
-    owner = getattr(clause.event.object, "owner", None)
-    return [*clause.targets, *(owner.entities if owner is not None else [])]
-
-
 def _in_phrases(pattern: str) -> Who:
     find = phrases(pattern)
     return lambda clause, context: people(find(clause, context))
@@ -178,7 +170,10 @@ NAMED: dict[str, Who] = {
     "owners": lambda clause, c: lanes.owners(lanes.into_lane(clause.event), clause, c),
     "path_owners": _owners_of("path"),
     "lane_owners": _owners_of("lane"),
-    "hit": _hit,
+    "hit": lambda clause, _: [
+        *clause.targets,
+        *getattr(getattr(clause.event.object, "owner", None), "entities", []),
+    ],
     # out of a side road: who overtakes comes out of its lane
     "pullers": lambda clause, _: [
         e for e in clause.drivers if Maneuver.OVERTAKE not in e.maneuvers
