@@ -208,7 +208,7 @@ def lanes_of_road(
         InfeasibleError: it names a lane beyond those that are built.
     """
     ring, plain = kind is JunctionKind.ROUNDABOUT, kind is JunctionKind.STRAIGHT
-    implied = draft.lanes_implied
+    implied = draft.implied.get("lanes")
     adjacent = next((e for e in draft.entities if Approach.ADJACENT in e.approaches), None)
     if implied is None and adjacent is not None:
         basis = adjacent.approach_basis or adjacent.basis
@@ -226,7 +226,7 @@ def lanes_of_road(
         return (around.lanes,) * arms, doubled, around.lanes_basis
     if ring and around.two_lane is not None:
         return (2,) * arms, 2, around.two_lane
-    passing = draft.passing_implied
+    passing = draft.implied.get("passing")
     if implied is None and passing is not None:
         if not ring and not _parted(along) and _against_oncoming(draft, around):
             reason = "who overtakes uses the oncoming lane"

@@ -202,13 +202,13 @@ class Layout:
         if reading.named is not None:
             reason = "an intersection without a shape is read as four-way"
             return JunctionKind.FOUR_WAY, reading.named.because(reason)
-        access = self.draft.access
+        access = self.draft.implied.get("access")
         if access is not None and reading.straight is None and not self._backs_alone():
             if (across := self._across_the_main_road()) is not None:
                 return JunctionKind.FOUR_WAY, across
             reason = "a side road or driveway meets the road like the stem of a T"
             return JunctionKind.T, access.because(reason)
-        implied = self.draft.crossing_implied or self._lateral()
+        implied = self.draft.implied.get("crossing") or self._lateral()
         if implied is None and (implied := self._regulated()) is not None:
             self._lit_crosswalk(implied)
         implied = implied or self._side_road()
@@ -255,7 +255,8 @@ class Layout:
         """``a bus comes from the left``: not on a highway, and not one that changes lanes."""
         along = self.reading.straight is not None or self.around.highway is not None
         lanes = any(d.kind in _ALONG_LANES for d in self.draft.dangers)
-        return None if along or lanes or self.draft.from_kerb else self.draft.side_road
+        none = along or lanes or "from_kerb" in self.draft.implied
+        return None if none else self.draft.implied.get("side_road")
 
     def _regulated(self) -> Basis | None:
         basis = self.reading.control_basis

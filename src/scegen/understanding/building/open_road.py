@@ -66,7 +66,7 @@ def from_the_strip(draft: Draft, ego: Entity) -> None:
 
 def abreast(draft: Draft, ego: Entity) -> None:
     """On a straight road, a vehicle on the left is not one that comes out of a road there."""
-    along = draft.access is None and not draft.from_kerb
+    along = draft.implied.keys().isdisjoint({"access", "from_kerb"})
     for entity in draft.entities if along else []:
         seen = entity.approaches
         alongside = entity.moving_vehicle and Maneuver.CROSS not in entity.maneuvers

@@ -101,7 +101,7 @@ def _met_from_behind(entity: Entity, draft: Draft) -> bool:
 
 def _has_the_way(entity: Entity, draft: Draft) -> Basis | None:
     """``pulls out of a driveway in front of a bus``: the bus keeps to its road."""
-    if draft.access is None or not entity.moving_vehicle:
+    if "access" not in draft.implied or not entity.moving_vehicle:
         return None
     for danger in draft.dangers:
         met = [e for e in draft.entities if e.moving_vehicle and e not in danger.by]

@@ -82,7 +82,7 @@ def _in_a_lane_there(
     entity, words = placement.entity, placement.basis
     turns = bool(ego.maneuvers & {Maneuver.LEFT, Maneuver.RIGHT})
     crosses = Maneuver.CROSS in entity.maneuvers
-    stands = entity.still or draft.from_kerb
+    stands = entity.still or "from_kerb" in draft.implied
     if turns or crosses or stands or not entity.is_vehicle or not seen < _ASIDE:
         return seen
     told = (p for p in draft.placements_of(entity) if p.reference in (None, ego))

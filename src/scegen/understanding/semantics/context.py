@@ -45,11 +45,6 @@ class Clause:
         return [e for e in self.actors if e.moving_vehicle]
 
     @property
-    def walkers(self) -> list[Entity]:
-        """Actors on foot."""
-        return [e for e in self.actors if not e.is_vehicle]
-
-    @property
     def alternative(self) -> int | None:
         """Marks events that the text offers as alternatives ("either … or …")."""
         told = (e.alternative for e in self.event.upwards() if e.alternative is not None)
@@ -126,17 +121,7 @@ class Context:
     @property
     def meeting(self) -> bool:
         """Whether roads meet, as the text says or implies so far."""
-        return self.junction.crossing or self.draft.crossing_implied is not None
-
-    def crossing_implied(self, basis: Basis, reason: str) -> None:
-        """Something takes place that needs a junction."""
-        if self.draft.crossing_implied is None:
-            self.draft.crossing_implied = basis.because(reason)
-
-    def lanes_implied(self, basis: Basis, reason: str) -> None:
-        """Something takes place that needs a second lane."""
-        if self.draft.lanes_implied is None:
-            self.draft.lanes_implied = basis.because(reason)
+        return self.junction.crossing or "crossing" in self.draft.implied
 
     def ahead(self, front: list[Entity], back: list[Entity], basis: Basis) -> None:
         """The first drive ahead of the second."""
@@ -171,7 +156,7 @@ class Context:
         across = {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE}
         named = self.draft.placements_of(entity)
         lateral = {Approach.LEFT, Approach.RIGHT}
-        met = self.meeting or self.draft.side_road is not None
+        met = self.meeting or "side_road" in self.draft.implied
         met = met or any(p.approaches == lateral for p in named)  # "on perpendicular roads"
         return met and any(p.approaches & across for p in named)
 

@@ -10,6 +10,7 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.signals import AtLight
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
 from scegen.understanding.chunks import NounPhrase, Prep
+from scegen.understanding.draft import IMPLIED
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Doing
 from scegen.understanding.semantics.context import Clause, Context, span
@@ -214,13 +215,15 @@ def _rule_out(said: str) -> Effect:
 
 
 def _imply(name: str, words: Words) -> Effect:
+    if name not in IMPLIED | {JunctionKind.ROUNDABOUT}:
+        raise KeyError(name)
+
     def effect(clause: Clause, context: Context) -> None:
         if name == JunctionKind.ROUNDABOUT:
             junction = context.junction
             junction.kind, junction.kind_basis = JunctionKind(name), words(clause, context)
             return
-        known = getattr(context.draft, name)
-        setattr(context.draft, name, known or (name == "from_kerb") or words(clause, context))
+        context.draft.implied.setdefault(name, words(clause, context))
 
     return effect
 
@@ -270,10 +273,8 @@ def effects_of(row: dict[str, Any]) -> Iterable[Effect]:
     words = _words(row.get("words", "event"), row.get("reason"))
     by = row.get("by", "drivers").removeprefix("maybe ")
     yield from _changes(row)
-    if "lanes" in row:
-        yield lambda clause, c: c.lanes_implied(words(clause, c), row["lanes"])
-    if "crossing" in row:
-        yield lambda clause, c: c.crossing_implied(words(clause, c), row["crossing"])
+    for name in row.keys() & {"lanes", "crossing"}:
+        yield _imply(name, _words(row.get("words", "event"), row[name]))
     yield from _statements(row, by, row.get("of", by), words)
     if "implies" in row:
         yield _imply(row["implies"], words)

@@ -74,8 +74,8 @@ FACTS: dict[str, Test] = {
         ]
     ),
     "ramp": lambda _, context: context.draft.ramp is not None,
-    "access": lambda _, context: context.draft.access is not None,
-    "from_kerb": lambda _, context: context.draft.from_kerb,
+    "access": lambda _, context: "access" in context.draft.implied,
+    "from_kerb": lambda _, context: "from_kerb" in context.draft.implied,
     "controlled": lambda _, context: context.junction.control is not None,
     "dangerous": lambda _, context: bool(context.draft.dangers),
     "endangered": lambda _, c: any(d.by and not any(e.ego for e in d.by) for d in c.draft.dangers),

@@ -134,7 +134,7 @@ def _start_lane(entity: Entity, site: Site) -> None:
     named = _lane_of(place) if "adjacent" not in place.dirs and not after else None
     if named is None:
         return
-    site.context.lanes_implied(site.basis, "one of several lanes is named")
+    site.context.draft.implied.setdefault("lanes", site.basis.because(SEVERAL))
     if entity.start_lane is None and not entity.parked:
         entity.start_lane = named, site.basis
 
@@ -209,6 +209,7 @@ def _apart(entity: Entity, site: Site) -> None:
         site.context.draft.place(entity, other, elsewhere, site.basis)
 
 
+SEVERAL = "one of several lanes is named"
 SEEN: dict[str, Put] = {
     "seen": seen,
     "start_lane": _start_lane,

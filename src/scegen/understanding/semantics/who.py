@@ -162,7 +162,7 @@ _BEHIND = _in_phrases("behind|between|by|due|ahead")
 NAMED: dict[str, Who] = {
     "actors": lambda clause, _: clause.actors,
     "drivers": lambda clause, _: clause.drivers,
-    "walkers": lambda clause, _: clause.walkers,
+    "walkers": lambda clause, _: [e for e in clause.actors if not e.is_vehicle],
     "targets": lambda clause, _: clause.targets,
     "everybody": lambda _, context: context.draft.entities,
     "others": _others,
