@@ -88,9 +88,7 @@ class Mention(NounPhrase):
         heads: all nouns of a compound ("ego vehicle"), the last is ``head``.
         pronoun: which pronoun it is, if it is one.
         label: a name such as ``#1`` for "vehicle 1".
-        drives: it does what only vehicles do ("the guy overtakes").
-        walks: it does what people on foot do ("she steps out").
-        stood: it does what only one does that stands ("it sets off").
+        marks: what clauses say of it, in the words of `reference.describing`.
         label_at: index of the token that holds the label.
         possessor: it only says whose something is.
         joined: the mention that it is joined to by "and".
@@ -100,26 +98,17 @@ class Mention(NounPhrase):
         whole: the set that it is a part of.
         ranked: who has which place among them ("fifth in a row of eight cars"), counted from 0.
         aside: somebody is on one side of it ("on the right of the ego").
-        elsewhere: it comes from another road ("a van from a side road").
-        trails: it follows the ego ("the car following us").
-        besides: it does something to "it", so that it is somebody else.
-        narrowed: words after it say which one is meant ("the car towing it").
         goes_by: how somebody moves who is no vehicle ("the claimant was cycling").
         negated: there is none ("no pedestrians").
         sides: it, or what it does, is said to come from there ("the one from the left").
         denied: it does not do what its verb says ("neither the bus nor the taxi").
-        seated: somebody who opens the door of the vehicle around them.
-        events: what it does, filled in by the clause reader.
         entities: whom it refers to, filled in by the discourse.
     """
 
     heads: list[Term] = field(default_factory=list)
     pronoun: str | None = None
     label: str | None = None
-    drives: bool = False
-    walks: bool = False
-    stood: bool = False
-    stands: bool = False
+    marks: set[str] = field(default_factory=set)
     label_at: int | None = None
     possessor: bool = False
     joined: Mention | None = None
@@ -129,11 +118,6 @@ class Mention(NounPhrase):
     whole: Mention | None = None
     ranked: tuple[Mention, int] | None = None
     aside: bool = False
-    elsewhere: bool = False
-    trails: bool = False
-    narrowed: bool = False
-    besides: bool = False
-    seated: bool = False
     goes_by: ParticipantKind | None = None
     negated: bool = False
     denied: bool = False

@@ -36,8 +36,8 @@ def loci_of(mention: Mention) -> set[str]:
     """
     told = (p for p in mention.pps if not (p.predicate or p.outer == "from" or _by_another(p)))
     loci = {p.value for p in told if p.word.cat == "locus"}
-    loci |= {"behind"} if mention.trails else set()
-    return loci | ({"elsewhere"} if mention.elsewhere else set())
+    loci |= {"behind"} if "trails" in mention.marks else set()
+    return loci | (mention.marks & {"elsewhere"})
 
 
 def _by_another(prep: Prep) -> bool:

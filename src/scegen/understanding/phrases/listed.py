@@ -43,7 +43,7 @@ def list_them(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             if told and m == k + 1:  # "three vehicles, a van and two cars, meet"
                 told[0].i = counted.i
                 for one in told:
-                    one.drives = counted.noun == "driver"
+                    one.marks = {"drives"} if counted.noun == "driver" else set()
                     one.mods = [*one.mods, *(t for t in counted.mods if t.cat not in _COUNTS)]
                 return list_them([*chunks[:k], *chunks[first:end], *chunks[end + 1 :]], tokens)
             if chunks[m].value == ":":

@@ -93,7 +93,7 @@ class Discourse:
         if refers_to_nobody(mention) or self._a_measure(mention) or self._their_own_queue(mention):
             return []
         located = any(p.word.cat == "locus" and is_pronoun(p.target) for p in mention.pps)
-        if (located and not is_it(mention)) or mention.besides:
+        if (located and not is_it(mention)) or "besides" in mention.marks:
             exclude = [*exclude, *self._roster.subject]  # "the car behind it" is not "it"
         if two := self._of_two(mention) or self._at_the_wheel(mention):
             found = two

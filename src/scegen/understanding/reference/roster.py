@@ -38,7 +38,7 @@ class Group:
 def opened(reading: Reading, mention: Mention, entities: list[Entity]) -> list[Entity]:
     """``parked cars … a driver opens his door``: the driver stands for one of them."""
     aboard = mention.head is not None and bool(mention.head.data.get("aboard"))
-    if not mention.seated or not (reading.driver or aboard):
+    if "seated" not in mention.marks or not (reading.driver or aboard):
         return []
     return [e for e in entities if e.parked][-1:]
 
