@@ -9,9 +9,6 @@ from typing import Any, ClassVar, TypeAlias
 from scegen.scenario.vocabulary import CrossedArm, ParticipantKind
 from scegen.understanding.words.terms import Term
 
-_DEEPEST = 4
-"""So many verbs hang on one another, at most, that one counts for the others."""
-
 
 @dataclass(slots=True, eq=False)
 class NounPhrase:
@@ -55,11 +52,6 @@ class NounPhrase:
         """Which preposition governs it; empty where none does."""
         return self.prep.value if self.prep is not None else ""
 
-    @property
-    def possessed(self) -> bool:
-        """``its lane``: whether a word before the head says that it is somebody's."""
-        return self.mod("possessive") is not None
-
     def opened_by(self, value: str) -> bool:
         """Whether its first word is of that value ("def": the article)."""
         return bool(self.mods) and self.mods[0].value == value
@@ -67,11 +59,6 @@ class NounPhrase:
     def stands_after(self, *words: str) -> bool:
         """Whether one of these prepositions governs it."""
         return self.opening in words
-
-    @property
-    def is_landmark(self) -> bool:
-        """Whether somebody is said to be ahead of it, beside it and so on."""
-        return self.prep is not None and self.prep.cat == "locus"
 
     @property
     def dirs(self) -> list[str]:
@@ -93,9 +80,8 @@ class Mention(NounPhrase):
         possessor: it only says whose something is.
         joined: the mention that it is joined to by "and".
         same_as: the mention that it describes further ("vehicle 1, a sedan, …").
-        partitive: one of a set named after it ("one of the cars").
         listed: one of those who were counted before ("two cars, a taxi and a van").
-        whole: the set that it is a part of.
+        whole: the set, named after it, of which it is a part ("one of the cars").
         ranked: who has which place among them ("fifth in a row of eight cars"), counted from 0.
         aside: somebody is on one side of it ("on the right of the ego").
         goes_by: how somebody moves who is no vehicle ("the claimant was cycling").
@@ -113,7 +99,6 @@ class Mention(NounPhrase):
     possessor: bool = False
     joined: Mention | None = None
     same_as: Mention | None = None
-    partitive: bool = False
     listed: bool = False
     whole: Mention | None = None
     ranked: tuple[Mention, int] | None = None
@@ -143,11 +128,6 @@ class Mention(NounPhrase):
     def is_mass(self) -> bool:
         """Whether it names many as one ("traffic", "a jam")."""
         return self.head is not None and "mass" in self.head.data
-
-    @property
-    def is_person(self) -> bool:
-        """Whether it names somebody by a word for people on foot."""
-        return self.head is not None and self.head.value == "pedestrian"
 
 
 @dataclass(slots=True, eq=False)
@@ -192,8 +172,7 @@ class Event:
         object: what it is done to.
         pps: prepositional phrases that belong to it.
         parent: the verb on which it depends ("tries" in "tries to merge").
-        drives: only vehicles, or people in them, do it.
-        says: it tells what somebody says or thinks ("he said the van had stopped").
+        data: what else the lexicon says of it: only vehicles do it, it tells what somebody says.
         embedded: it makes a clause that describes a noun ("a spot where two cars stand").
         supplement: it is told besides of a noun, between commas ("the ego, which brakes").
         link: how it hangs on its parent: ``inf``, ``ing`` or ``noun``.
@@ -230,8 +209,7 @@ class Event:
     link: str | None = None
     children: list[Event] = field(default_factory=list)
     alternative: int | None = None
-    drives: bool = False
-    says: bool = False
+    data: dict[str, Any] = field(default_factory=dict)
     embedded: bool = False
     supplement: bool = False
     sentence: int = 0
@@ -254,9 +232,9 @@ class Event:
         return [e for m in named if isinstance(m, Mention) for e in m.entities]
 
     def upwards(self) -> Iterator[Event]:
-        """It, and the verbs on which it hangs, one after the other."""
+        """It, and the verbs on which it hangs, one after the other: three of them at most."""
         node: Event | None = self
-        for _ in range(_DEEPEST):
+        for _ in range(4):
             if node is not None:
                 yield node
                 node = node.parent
@@ -302,11 +280,6 @@ class Prep:
         return self.word.value
 
     @property
-    def leads_past(self) -> bool:
-        """Whether it is said of going past what it governs."""
-        return "passes" in self.word.data
-
-    @property
     def place(self) -> Place | None:
         """The place that it governs, if it is one."""
         return self.target if isinstance(self.target, Place) else None
@@ -324,9 +297,3 @@ class Prep:
 Chunk: TypeAlias = Term | Mention | Place | Thing | Event
 NOTHING = Term("", "", -1, -1)
 """What stands before the first chunk of a text, and behind the last."""
-
-
-def teller_at(i: int) -> Mention:
-    """Whoever tells it, where the text names nobody."""
-    term = Term("actor", "ego", i, i, data={"ego": True, "speaks": True})
-    return Mention(i, i, [], term, heads=[term])

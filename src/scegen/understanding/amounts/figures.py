@@ -187,7 +187,8 @@ class Figure(Clause):
         """``car in front of the ego: 80 km/h``: the noun that is placed by another, else that."""
         before = (m for m in self.text.mentions if m.i < landmark.i)
         placed = (m for m in before if any(p.target is landmark for p in m.pps))
-        return next(placed, landmark) if landmark.is_landmark else landmark
+        located = landmark.prep is not None and landmark.prep.cat == "locus"
+        return next(placed, landmark) if located else landmark
 
     @cached_property
     def own_subject(self) -> list[Entity]:

@@ -59,7 +59,7 @@ def sets_off(figure: Figure) -> bool:
 def _comes_down(figure: Figure, doing: Doing, subject: Entity, line: Place | None) -> bool:
     """Between whom a measure comes down to a value that sets something off."""
     text, noun = figure.text, figure.noun
-    own = noun is not None and noun.possessed
+    own = noun is not None and noun.has("possessive")
     named = [e for e in (text.named(noun) if not own else []) if e is not subject]
     if line is not None:  # who crosses there: how far that is off is how far they are
         crossing = [e for e in text.draft.entities if Maneuver.CROSS in e.maneuvers]

@@ -36,7 +36,9 @@ def also_from(noun: NounPhrase, state: State) -> bool:
     last = state.last_prep
     if last is None or not (isinstance(noun, Place) and noun.kind == "side"):
         return False
-    aside = noun.possessed and "," in state.between  # "from the left, its rear 20 m ahead of us"
+    aside = (
+        noun.has("possessive") and "," in state.between
+    )  # "from the left, its rear 20 m ahead of us"
     joined = state.between & {"and", "or", ","} and isinstance(last.target, Place) and not aside
     if not joined or last.target is None or last.target.j != noun.i - 1:
         return False
@@ -135,7 +137,7 @@ def antecedent(state: State) -> Mention:
     """
     nouns = [m for m in reversed(state.mentions) if not m.possessor] or state.mentions[-1:]
     other = _about_another(state)
-    beside = [m for m in nouns if m.is_landmark and (told(m) or (other and m.is_ego))]
+    beside = [m for m in nouns if located(m) and (told(m) or (other and m.is_ego))]
     return next((m for m in nouns if not (m in beside or m.aside)), nouns[0])
 
 
@@ -152,6 +154,11 @@ def _about_another(state: State) -> bool:
     apart = not isinstance(state.chunks[k - 1 - comma], Mention)
     alone = not comma and state.waiting is not None and "be" not in opened
     return alone or apart or opened[0] == "thereis"
+
+
+def located(mention: Mention) -> bool:
+    """Whether somebody is said to be ahead of it, beside it and so on."""
+    return mention.prep is not None and mention.prep.cat == "locus"
 
 
 def told(mention: Mention) -> bool:

@@ -106,8 +106,8 @@ def _lane_beside(lane: Place, side: Place, state: State) -> bool:
     gone_to = isinstance(verb, Event) and verb.name != "leave"
     there = lane.kind == "lane" and (gone_to or lane.prep is not None or "adjacent" in lane.dirs)
     there = there and side.stands_after(*_ASIDE)
-    there = there and lane.owner is None and not lane.possessed
-    return owned or there or side.possessed
+    there = there and lane.owner is None and not lane.has("possessive")
+    return owned or there or side.has("possessive")
 
 
 _SIDES = frozenset({"side", "direction", "lane", "sidewalk", "shoulder", "bike_lane", "access",

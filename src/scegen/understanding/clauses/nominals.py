@@ -85,7 +85,7 @@ def _takes(verb: Event, state: State) -> bool:
     """Whether a noun after a verb is its object; "he said the van stopped" tells of the van."""
     if _waits_for_subject(verb, state) or _goes_on_with(verb, state):
         return False
-    tells = verb.says or (verb.control == "subject" and isinstance(state.at(0), Mention))
+    tells = "says" in verb.data or (verb.control == "subject" and isinstance(state.at(0), Mention))
     reported = tells and state.verb_follows
     return verb.object is None and not reported
 
@@ -177,7 +177,7 @@ def _prepositional(mention: Mention, prep: Prep, state: State) -> None:
         done.subject, done.form, done.nominal, done.finite = [mention], "s", False, True
     named = prep.value in {"with", "against"}
     if prep.value == "of" and state.anchor is not None and prep.on_mention is not None:
-        prep.on_mention.partitive, prep.on_mention.whole = True, mention
+        prep.on_mention.whole = mention
         return
     if state.waiting is not None and state.verb_follows:
         state.last_pp = mention

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention, Place, teller_at
+from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.clauses.coordination import auxiliary, coordinate, no_jam, told_beside
 from scegen.understanding.clauses.dependents import (
     chain,
@@ -12,9 +12,10 @@ from scegen.understanding.clauses.dependents import (
     infinitive,
     nominal,
 )
-from scegen.understanding.clauses.further import antecedent, is_closed, told
+from scegen.understanding.clauses.further import antecedent, is_closed, located, told
 from scegen.understanding.clauses.located import RESTING
 from scegen.understanding.clauses.state import State
+from scegen.understanding.phrases.doings_named import teller_at
 from scegen.understanding.phrases.lookahead import main_verb_follows
 
 PASSIVE = frozenset(
@@ -221,7 +222,7 @@ def _several(state: State) -> Mention | None:
 
 def _on_foot(event: Event, state: State) -> Mention | None:
     """``a child …, running``: who is on foot."""
-    on_foot = [m for m in state.mentions if m.is_person]
+    on_foot = [m for m in state.mentions if m.noun == "pedestrian"]
     return on_foot[-1] if event.name == "walk" and on_foot else None
 
 
@@ -265,7 +266,7 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
     within = anchor.stands_after("in") and anchor.is_mass
     if last is not None and within and event.form == "ing":
         event.subject = last.subject  # "is stopped in traffic waiting to turn"
-    elif known and anchor.is_landmark and not event.finite and state.candidate is not None:
+    elif known and located(anchor) and not event.finite and state.candidate is not None:
         event.subject = chain(state.candidate)  # "the car in front of it reversing towards it"
     elif done_to is not None and not event.finite and _by_doing(event, done_to, known, state):
         event.subject = done_to.subject

@@ -231,7 +231,7 @@ def _stands_there(prep: Prep, event: Event, kerb: str) -> bool:
     """
     who, side = prep.on_mention, prep.place
     parked = who is not None and all(e.parked for e in who.entities)
-    past = event.name == "bypass" or any(p.leads_past for p in event.pps)
+    past = event.name == "bypass" or any("passes" in p.word.data for p in event.pps)
     return parked and side is not None and (kerb in side.dirs or past)
 
 
@@ -239,7 +239,7 @@ def _met_there(prep: Prep) -> bool:
     """``hits a cyclist on its right``: where one is who was not told of before."""
     who, side = prep.on_mention, prep.place
     new = who is not None and who.has("det", "indef")
-    return new and side is not None and side.head is None and side.possessed
+    return new and side is not None and side.head is None and side.has("possessive")
 
 
 def _from_behind(prep: Prep) -> bool:

@@ -22,7 +22,7 @@ _FOR_IT = frozenset({"avoid", "brake", "hard_brake", "stop", "slow", "swerve"})
 def read_thing(thing: Thing, k: int, chunks: list[Chunk], draft: Draft) -> None:
     """What a thing on or beside the road means."""
     basis = Basis(thing.i, thing.j)
-    possessed = thing.owner is not None or thing.possessed
+    possessed = thing.owner is not None or thing.has("possessive")
     chased = draft.tokens[max(thing.i - 1, 0)].low == "after"
     none = any((m.cat, m.value) == ("det", "negative") for m in thing.mods)
     none = none or (thing.stands_after("without"))

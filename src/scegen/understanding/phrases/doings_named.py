@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scegen.understanding.chunks import NOTHING, Chunk, Event, Mention, Place, Thing, teller_at
+from scegen.understanding.chunks import NOTHING, Chunk, Event, Mention, Place, Thing
 from scegen.understanding.phrases.lookahead import (
     BOUNDARIES,
     GOVERNING,
@@ -29,6 +29,12 @@ _MADE = frozenset({"turn", "u_turn", "reverse"})
 """Doings that a title names before who does them."""
 _DOERS = frozenset({"of", "by"})
 _JOINTS = frozenset({",", "and", "then"})
+
+
+def teller_at(i: int) -> Mention:
+    """Whoever tells it, where the text names nobody."""
+    term = Term("actor", "ego", i, i, data={"ego": True, "speaks": True})
+    return Mention(i, i, [], term, heads=[term])
 
 
 def spell_out_doings(chunks: list[Chunk]) -> list[Chunk]:

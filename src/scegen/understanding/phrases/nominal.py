@@ -117,7 +117,7 @@ def event_of(term: Term, mods: list[Term], *, nominal: bool = False) -> Event:
     start = mods[0].i if mods else term.i
     event = Event(term.value, start, term.j, term.form, nominal=nominal, mods=list(mods))
     event.control = term.data.get("control")
-    event.drives, event.says = bool(term.data.get("drives")), bool(term.data.get("says"))
+    event.data = term.data
     event.negated = any((m.cat, m.value) == ("det", "negative") for m in mods)
     if "how" in term.data:
         event.mods.append(Term("manner", term.data["how"], term.i, term.j))

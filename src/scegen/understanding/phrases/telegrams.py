@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, teller_at
-from scegen.understanding.phrases.doings_named import spell_out_doings
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
+from scegen.understanding.phrases.doings_named import spell_out_doings, teller_at
 from scegen.understanding.phrases.lookahead import GOVERNING, cat_at, chunk_at, ends, value_at
 from scegen.understanding.words.terms import Term
 
@@ -180,7 +180,7 @@ def _going(chunks: list[Chunk], k: int) -> Event | None:
     free = ends(following) or value_at(chunks, k + 1) == "," or cat_at(chunks, k + 1) in _AFTER
     if not free or value_at(chunks, k + 1) == "of" or _clause_opener(chunks, k) is None:
         return None
-    return Event("move", way.i, way.j, "s", mods=[way], drives=True)
+    return Event("move", way.i, way.j, "s", mods=[way], data={"drives": True})
 
 
 def _clause_opener(chunks: list[Chunk], k: int) -> Mention | None:

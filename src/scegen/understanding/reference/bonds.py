@@ -102,7 +102,7 @@ def bonds_of(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> B
         comes = event.name == "approach" or any(d.value == "opposite" for d in event.dirs)
         if comes or any(p.value == "to" and p.who for p in event.pps):
             found.nearing |= {id(m) for m in event.subject}
-        if event.name in _COMING_OUT or any(m.is_person for m in event.subject):
+        if event.name in _COMING_OUT or any(m.noun == "pedestrian" for m in event.subject):
             found.hiding |= {id(p.target) for p in event.pps if p.outer == "from"}
         for place in (p.place for p in event.pps):
             if place is not None and place.beside is not None:

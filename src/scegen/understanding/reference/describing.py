@@ -84,7 +84,7 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     afoot = mention.head is not None and "afoot" in mention.head.data
     springs = afoot and event.lemma in word_list("springing")  # "a boy bursts out of a gap"
     only = event.name in ONLY_VEHICLES and not (across or springs)
-    alone = event.drives or only or _takes_a_turn(event)
+    alone = "drives" in event.data or only or _takes_a_turn(event)
     vague = mention.head is not None and "vague" in mention.head.data
     turns = vague or event.name in {"turn", "sharp_turn"}
     turns = turns and any(d.value in {"left", "right"} for d in event.dirs)
@@ -151,7 +151,7 @@ def _left_standing(events: list[Event]) -> None:
         put = event.lemma in {"leave", "park", "dump", "abandon"} and not event.passive
         if not put or who is None or not isinstance(what, Mention) or not is_one_vehicle(what):
             continue
-        if who.is_person:
+        if who.noun == "pedestrian":
             who.negated = True
             what.same_as = None
             what.mods = [*what.mods, Term("state", "parked", event.i, event.j)]
@@ -206,7 +206,7 @@ def _aside(chunks: list[Chunk], events: list[Event]) -> None:
     asked = {id(m) for m in named[:1] if is_pronoun(m) and any(map(tells, named))}
     for event in events:
         told = [p.target for p in event.pps if p.value == "to"]
-        for mention in [*event.subject, event.object, *told] if event.says else []:
+        for mention in [*event.subject, event.object, *told] if "says" in event.data else []:
             onlooks = isinstance(mention, Mention) and any(
                 "onlooker" in h.data for h in mention.heads
             )

@@ -121,7 +121,7 @@ class Discourse:
 
     def _as_somebody(self, mention: Mention) -> None:
         """``the driver of a van``, ``my wife``: "she" means them before any vehicle."""
-        if mention.is_person or any("driver" in h.data for h in mention.heads):
+        if mention.noun == "pedestrian" or any("driver" in h.data for h in mention.heads):
             for entity in mention.entities:
                 entity.named_by.add("somebody")
 

@@ -98,7 +98,7 @@ def states_of(mention: Mention) -> set[str]:
 def mine(mention: Mention, kind: ParticipantKind) -> bool:
     """``my bike``, ``our old lorry``: whoever tells it drives it."""
     named = mention.head is not None and mention.head.value in KINDS
-    vehicle = named and not mention.is_person and kind not in ON_FOOT  # not "my neighbour"
+    vehicle = named and mention.noun != "pedestrian" and kind not in ON_FOOT  # not "my neighbour"
     return vehicle and mention.opened_by("first_person")
 
 

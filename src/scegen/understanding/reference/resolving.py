@@ -32,7 +32,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discou
         _told_by_somebody(chunk, discourse)
         if not isinstance(chunk, Mention) or (id(chunk) in owners and _on_no_road(chunk)):
             continue
-        if chunk.partitive and chunk.pronoun in word_list("parts"):
+        if chunk.whole is not None and chunk.pronoun in word_list("parts"):
             waiting.append(chunk)
             continue
         if is_pronoun(chunk) and _named_later(chunk, chunks):
@@ -123,4 +123,4 @@ def _seen_from_the_ego(mention: Mention, placed: list[Mention], events: list[Eve
 
 def _on_no_road(owner: Mention) -> bool:
     """``the neighbour's van``: the van takes part, the neighbour does not."""
-    return owner.is_person and not any("afoot" in h.data for h in owner.heads[-1:])
+    return owner.noun == "pedestrian" and not any("afoot" in h.data for h in owner.heads[-1:])

@@ -52,7 +52,7 @@ def owners(lane: Place | None, clause: Clause, context: Context) -> list[Entity]
     if there and lane.kind == "lane":
         return there  # "the ego in the right lane …, a car changes to the right lane"
     its = [e for e in others if e.ego or (lane.kind == "path" and len(others) == 1)]
-    return its if lane.possessed and not kept else []
+    return its if lane.has("possessive") and not kept else []
 
 
 def _head_on(clause: Clause, place: Place | None, context: Context) -> bool:

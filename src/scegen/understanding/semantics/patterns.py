@@ -81,7 +81,7 @@ _FILTERS: dict[str, NounTest] = {
     "other_half": _other_half,
     "another": lambda n, _: any(e.is_vehicle and not e.ego for e in n.entities),
     "owned": lambda n, _: n.owner is not None,
-    "its": lambda n, _: n.possessed,
+    "its": lambda n, _: n.has("possessive"),
     "egos": lambda n, _: (
         n.has("possessive", "first_person") or (n.owner and any(e.ego for e in n.owner.entities))
     ),

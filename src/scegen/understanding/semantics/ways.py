@@ -43,7 +43,7 @@ def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
         leads_there = prep.value in {"to", "into", "for"}
         if leads_there and isinstance(target, Place) and target.kind in _GOALS:
             across = _came_from(event) & {_OTHER.get(d, "") for d in target.dirs}
-            seen = target.possessed and (prep.on_mention is not None or _goes_on(event))
+            seen = target.has("possessive") and (prep.on_mention is not None or _goes_on(event))
             if target.owner is not None or seen or _our_side(target, event):
                 continue  # "to the right of the bus", "the lorry to its left": where it is
             for value in target.dirs:
