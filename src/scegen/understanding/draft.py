@@ -22,10 +22,10 @@ TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
 _OVERRIDABLE = frozenset({Maneuver.STRAIGHT})
 _ON_THE_WAY = frozenset({Maneuver.LANE_CHANGE})
 """What comes before a turn at the junction ("cuts in and turns right")."""
-IMPLIED = frozenset({
+IMPLIED = (
     "crossing", "lanes", "passing", "access", "from_kerb",
     "side_road",  # somebody comes from the left or right; it takes one unless lanes are meant
-})  # fmt: skip
+)  # fmt: skip
 _WAITS_TO_CROSS = "nobody walks along the road and then crosses it: it stands until it crosses"
 
 

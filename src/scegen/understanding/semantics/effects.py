@@ -215,7 +215,7 @@ def _rule_out(said: str) -> Effect:
 
 
 def _imply(name: str, words: Words) -> Effect:
-    if name not in IMPLIED | {JunctionKind.ROUNDABOUT}:
+    if name not in (*IMPLIED, JunctionKind.ROUNDABOUT):
         raise KeyError(name)
 
     def effect(clause: Clause, context: Context) -> None:

@@ -17,7 +17,7 @@ Mark: TypeAlias = Callable[[Entity, Basis], object]
 
 _RUNNING = Interval(low=2.2, high=3.8)
 """From Euro NCAP's running adult (8 km/h, AEB VRU protocol) up; the upper end is our own."""
-NOTED = frozenset({
+NOTED = (
     "moves", "through", "circulates", "waits", "on_ramp", "roadside", "exits", "gives_way",
     "held",  # it stands at a light when it begins
     "bides",  # it waits to turn
@@ -26,7 +26,7 @@ NOTED = frozenset({
     "walks_up",  # it goes towards the road, on foot, and has not crossed it
     "halts",  # it stops at the kerb, and does not go on
     "gone_by",  # it has passed before what is told with it
-})  # fmt: skip
+)  # fmt: skip
 """What only rows, or few besides, ask of a participant again."""
 _TOLD = ("was_parked", "stands", "by_ramp")
 """Fields that hold the first words that say so."""
