@@ -295,5 +295,3 @@ class Prep:
 
 
 Chunk: TypeAlias = Term | Mention | Place | Thing | Event
-NOTHING = Term("", "", -1, -1)
-"""What stands before the first chunk of a text, and behind the last."""

@@ -9,7 +9,7 @@ these decide who acts in participles ("a car turning left"), infinitives ("tries
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import NOTHING, Chunk, Event, Mention, Place, Prep, Thing
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.clauses import subjects
 from scegen.understanding.clauses.attachment import preposition, release
 from scegen.understanding.clauses.further import close_relative
@@ -24,7 +24,7 @@ from scegen.understanding.phrases.lookahead import (
     only_a_noun_follows,
     view_of,
 )
-from scegen.understanding.words.terms import Term
+from scegen.understanding.words.terms import NOTHING, Term
 
 _OPENERS = frozenset({"conj", "sub", "punct"})
 _LANES = frozenset({"lane", "bike_lane", "shoulder", "sidewalk", "side", "bus_stop"})

@@ -6,14 +6,14 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from scegen.scenario.acts import ActKind
-from scegen.understanding.chunks import NOTHING, Chunk, Event, Mention, NounPhrase, Place, Prep
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep
 from scegen.understanding.clauses.located import is_it
 from scegen.understanding.frames import acts
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES, cat_at, chunk_at
 from scegen.understanding.phrases.nominal import WAYS
 from scegen.understanding.phrases.predicates import complete
-from scegen.understanding.words.terms import Term
+from scegen.understanding.words.terms import NOTHING, Term
 from scegen.understanding.words.tokens import Token
 
 _JOINTS = frozenset({"and", "but", ",", "while", "when", ";"})

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import NOTHING, Event, Mention, NounPhrase, Place, Prep, Thing
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.clauses.attachment import attach
 from scegen.understanding.clauses.coordination import joins
 from scegen.understanding.clauses.further import (
@@ -18,6 +18,7 @@ from scegen.understanding.clauses.located import place_in_front, side_of_place
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.doings_named import DONE_TO
 from scegen.understanding.phrases.lookahead import finite_follows
+from scegen.understanding.words.terms import NOTHING
 
 _REACH = 3
 _PARTS = frozenset({"side", "flank"})

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import HazardKind
-from scegen.understanding.chunks import NOTHING, Chunk, Event, Mention, Place, Thing
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at
-from scegen.understanding.words.terms import Term
+from scegen.understanding.words.terms import NOTHING, Term
 
 _IN_THE_WAY = 9
 _CARRIAGEWAY = frozenset({"road", "lane", "highway", "path", "crosswalk", "middle"})

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scegen.understanding.chunks import NOTHING, Chunk, Event, Mention, Place, Thing
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.phrases.lookahead import (
     BOUNDARIES,
     GOVERNING,
@@ -16,7 +16,7 @@ from scegen.understanding.phrases.lookahead import (
     value_at,
 )
 from scegen.understanding.phrases.nominal import WAYS
-from scegen.understanding.words.terms import Term
+from scegen.understanding.words.terms import NOTHING, Term
 from scegen.understanding.words.tokens import Token
 
 _ENTERED = frozenset({"brake", "hard_brake", "slow", "stop", "overtake", "accelerate", "cut_in",

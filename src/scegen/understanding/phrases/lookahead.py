@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
-from scegen.understanding.chunks import NOTHING, Chunk, Event, Mention, Place, Thing
-from scegen.understanding.words.terms import Term
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
+from scegen.understanding.words.terms import NOTHING, Term
 
 BOUNDARIES = frozenset({".", ";", "!", "?", ":"})
 ADVERBS = frozenset(

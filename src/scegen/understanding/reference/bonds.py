@@ -7,16 +7,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise, product
 from typing import NamedTuple
 
-from scegen.understanding.chunks import (
-    NOTHING,
-    Chunk,
-    Event,
-    Mention,
-    NounPhrase,
-    Place,
-    Prep,
-    Thing,
-)
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.clauses.further import aside
 from scegen.understanding.clauses.located import is_it
 from scegen.understanding.lexicon import word_list
@@ -24,6 +15,7 @@ from scegen.understanding.phrases.listed import sides_of
 from scegen.understanding.phrases.lookahead import BOUNDARIES
 from scegen.understanding.phrases.nominal import WAYS
 from scegen.understanding.reference.its import others_than_it, same_again
+from scegen.understanding.words.terms import NOTHING
 from scegen.understanding.words.tokens import Token
 
 _FOLLOWING = frozenset({"follow", "tailgate", "avoid"})

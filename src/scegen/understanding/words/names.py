@@ -8,7 +8,7 @@ from dataclasses import replace
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.numbers import POSITIONS
 from scegen.understanding.words.quantities import quantity_at
-from scegen.understanding.words.terms import Term, cat_at, noun_follows, term_at
+from scegen.understanding.words.terms import NOTHING, Term, cat_at, noun_follows, term_at
 from scegen.understanding.words.tokens import Token, low_at
 
 _LABELLED = re.compile(r"^(?:v|veh|u|d|t|car|cv|obj|tgt|gvt)\d{1,2}$")
@@ -120,10 +120,10 @@ def _is_letter(term: Term, tokens: list[Token]) -> bool:
 def _stands_alone(terms: list[Term], k: int) -> bool:
     """Whether "A" is no article: a verb or the end of the phrase comes after it."""
     after = term_at(terms, k + 1)
-    if after is None or after.cat in _PHRASE_ENDS:
+    if after is NOTHING or after.cat in _PHRASE_ENDS:
         return True
     verb = term_at(terms, k + 2) if after.cat == "manner" else after
-    return verb is not None and (verb.cat, verb.form, verb.premod) == ("verb", "s", False)
+    return (verb.cat, verb.form, verb.premod) == ("verb", "s", False)
 
 
 def _belongs(terms: list[Term], k: int, tokens: list[Token]) -> bool:
@@ -154,8 +154,8 @@ def _names(terms: list[Term], k: int, tokens: list[Token]) -> bool:
     term = terms[k]
     if tokens[term.i].low not in POSITIONS or term.j - term.i != 1:
         return False
-    before, after = term_at(terms, k - 1), term_at(terms, k + 1)
-    if after is None or (before is not None and before.cat not in _OPENERS):
+    after = term_at(terms, k + 1)
+    if k and terms[k - 1].cat not in _OPENERS:
         return False
     acts = (after.cat == "verb" and after.form in _VERBAL) or after.cat in {"aux", "copy"}
     return acts or after.cat == "actor" or after.value in {"(", ","}
@@ -201,7 +201,7 @@ def _opener(terms: list[Term], k: int) -> int:
 def _acts(terms: list[Term], k: int, number: str) -> bool:
     verb = term_at(terms, k + 1)
     governed = cat_at(terms, _opener(terms, k) - 1) in _GOVERNING  # "a kid on a BMX shoots out"
-    if verb is None or verb.cat != "verb" or governed:
+    if verb.cat != "verb" or governed:
         return False
     forms = {"base", "ed"} if number == "s" else {"s", "ed"}
     return verb.form in forms and verb.value in word_list("driving")
@@ -212,7 +212,7 @@ def _suffers(terms: list[Term], k: int) -> bool:
     opener = _opener(terms, k)
     verb, after = term_at(terms, opener - 1), cat_at(terms, k + 1)
     ends = after in {"", "punct", "conj", "prep", "locus", "sub", "verb", "rel"}
-    met = verb is not None and verb.cat == "verb" and verb.value in word_list("met_driving")
+    met = verb.cat == "verb" and verb.value in word_list("met_driving")
     return ends and met and terms[opener].value == "indef"
 
 
@@ -225,7 +225,7 @@ def whose_doing(terms: list[Term]) -> list[Term]:
     for k, term in enumerate(terms):
         found.append(term)
         after = term_at(terms, k + 1)
-        placed = after is not None and (after.cat == "locus" or after.value == "from")
+        placed = after.cat == "locus" or after.value == "from"
         placed = placed and term.form not in {"s", "ed"}
         if opens and placed and term.cat == "verb" and term.value in _DOINGS:
             at = term.j

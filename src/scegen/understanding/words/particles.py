@@ -12,9 +12,9 @@ _GIVES = frozenset({"dir", "verb"})
 _OPENS_A_NOUN = ("det", "possessive", "actor", "compass", "place")
 
 
-def just_right(tokens: list[Token], i: int, previous: Term | None) -> bool:
+def just_right(tokens: list[Token], i: int, previous: Term) -> bool:
     """``right behind``, ``right past``, ``right in front of``: no way, except after a turn."""
-    if tokens[i].low != "right" or previous is None or previous.cat == "det":
+    if tokens[i].low != "right" or previous.cat in {"", "det"}:
         return False
     after = low_at(tokens, i + 1)
     located = begins(tokens, i + 1, "locus") or after == "across"

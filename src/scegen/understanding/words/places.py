@@ -51,7 +51,7 @@ def _bare(terms: list[Term], k: int, also: set[str]) -> bool:
 
 
 _LINE = frozenset({"ahead", "behind"})
-_NEXT_BUT_ONE, _MOST = 2, 5
+_NEXT_BUT_ONE, _MOST, _RANKED = 2, 5, 3
 
 
 def count_places(terms: list[Term], tokens: list[Token]) -> list[Term]:
@@ -60,7 +60,7 @@ def count_places(terms: list[Term], tokens: list[Token]) -> list[Term]:
     for k, term in enumerate(terms):
         line = term.cat == "locus" and term.value in _LINE
         before = term_at(terms, k - 1)
-        if line and before is not None and (places := _places(terms, k, tokens)) > 1:
+        if line and k and (places := _places(terms, k, tokens)) > 1:
             counted = before if before.cat in {"num", "quantity"} else None
             i, j = (counted.i, counted.j) if counted is not None else (term.i, term.i)
             found = found[:-1] if counted is not None else found
@@ -81,8 +81,8 @@ def _places(terms: list[Term], k: int, tokens: list[Token]) -> int:
         told = cat_at(terms, k - 2) == "actor" and number.value <= _MOST
         return int(number.value) if told else 1
     label = term_at(terms, k - 2)
-    ranked = label is not None and label.cat == "label" and before.cat == "actor"
-    if label is None or not ranked or term_at(terms, k - 3) is None or terms[k].value != "ahead":
+    ranked = label.cat == "label" and before.cat == "actor"
+    if not ranked or k < _RANKED or terms[k].value != "ahead":
         return 1
     several = (t for t in terms[: k - 3] if t.cat in {"num", "quant"} or t.value in POSITIONS)
     counted = terms[k - 3].value == "def" and not any(several)  # of nobody told of before

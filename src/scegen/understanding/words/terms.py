@@ -62,14 +62,18 @@ class Match:
         return self.entries[0]
 
 
-def term_at(terms: Sequence[Term], k: int) -> Term | None:
-    """The term with an index, if there is one."""
-    return terms[k] if 0 <= k < len(terms) else None
+NOTHING = Term("", "", -1, -1)
+"""What stands before the first term or chunk of a text, and behind the last."""
+
+
+def term_at(terms: Sequence[Term], k: int) -> Term:
+    """The term with an index; `NOTHING` before the text and behind it."""
+    return terms[k] if 0 <= k < len(terms) else NOTHING
 
 
 def cat_at(terms: Sequence[Term], k: int) -> str:
     """The class of the term with an index, empty where there is none."""
-    return terms[k].cat if 0 <= k < len(terms) else ""
+    return term_at(terms, k).cat
 
 
 def begins(tokens: list[Token], i: int, *cats: str) -> bool:
