@@ -13,6 +13,16 @@ from scegen.scenario.junction import Junction
 from scegen.scenario.roadway import Strip
 from scegen.scenario.signals import AtLight
 from scegen.scenario.vocabulary import Approach, Control, HazardKind, JunctionKind, Maneuver, Role
+from scegen.understanding.building.beside import (
+    abreast,
+    alongside,
+    at_the_edge,
+    both_change_lanes,
+    from_the_strip,
+    in_one_lane,
+    in_the_way,
+    settle_ramp,
+)
 from scegen.understanding.building.in_lane import (
     lanes_of,
     past_people,
@@ -21,16 +31,6 @@ from scegen.understanding.building.in_lane import (
     side_by_side,
 )
 from scegen.understanding.building.layout import Layout
-from scegen.understanding.building.open_road import (
-    abreast,
-    alongside,
-    at_the_edge,
-    both_change_lanes,
-    from_the_strip,
-    in_one_lane,
-    in_the_way,
-)
-from scegen.understanding.building.strips import settle_ramp
 from scegen.understanding.building.unsaid import maneuvers_of, some_of
 from scegen.understanding.building.viewpoint import settle_arms, settle_positions, settle_roads
 from scegen.understanding.building.writing import Proofs, Writer

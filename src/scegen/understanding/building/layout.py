@@ -15,8 +15,8 @@ from scegen.scenario.vocabulary import (
     JunctionKind,
     Maneuver,
 )
+from scegen.understanding.building.beside import AT_JUNCTIONS, Used, auxiliary_lane, strips_beside
 from scegen.understanding.building.in_lane import lanes_of_road
-from scegen.understanding.building.strips import AT_JUNCTIONS, Used, auxiliary_lane, strips_beside
 from scegen.understanding.building.writing import Proofs
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis

@@ -10,12 +10,13 @@ from scegen.understanding.lexicon import word_list
 from scegen.understanding.meaning import placing
 from scegen.understanding.meaning.lights import read_lights
 from scegen.understanding.meaning.manner import (
-    Manners,
     jam,
     mark_answers,
     mark_late,
     note_braking,
     out_of_turn,
+    told_by,
+    told_with,
 )
 from scegen.understanding.meaning.roadside import read_thing
 from scegen.understanding.phrases.listed import each_side, from_everywhere
@@ -62,10 +63,9 @@ _ALL_TOLD = (
 class Interpreter:
     """Turns events and mentions into statements about the scenario."""
 
-    def __init__(self, context: Context, manners: Manners) -> None:
+    def __init__(self, context: Context) -> None:
         self._context = context
         self._draft = context.draft
-        self._manners = manners
         self._clauses: list[Clause] = []
         self._of_verbs: set[int] = set()
 
@@ -154,7 +154,7 @@ class Interpreter:
             whom = [mention.entities[sides.index(prep)]] if shared else mention.entities
             placing.phrase(prep, whom, None, self._context)
         for term in mention.mods:
-            self._manners.word(term, mention.entities)
+            told_by(term, mention.entities, self._context)
         say("nouns.named", clause, self._context)
 
     def _event(self, clause: Clause) -> None:
@@ -172,7 +172,7 @@ class Interpreter:
             return
         say("dangers.unnamed", clause, context)
         say("dangers.drives_on", clause, context)
-        self._manners.verb(clause)
+        told_with(clause, context)
         say(f"movements.{event.name}", clause, context)
         say("dangers.onto_the_road", clause, context)
         say("dangers.after_a_thing", clause, context)
