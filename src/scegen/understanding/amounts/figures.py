@@ -37,8 +37,7 @@ class Figure(Clause):
         told = (verb.name, None if verb.perfect else verb.i) if verb is not None else ()
         ahead = verb is not None and verb.i > self.j and any(map(self._modifies, text.mentions))
         told = () if ahead else told
-        measured = numbers.measured(quantity, *told)
-        self.words_around, self.frame = measured.around, measured.frame
+        self.words_around, self.frame = numbers.measured(quantity, *told)
         sized = self.frame.role in {"long", "wide"} or (
             self.frame.role == "other" and self.frame.next
         )

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
 from functools import cache, lru_cache
 from typing import Any
 
@@ -27,6 +26,7 @@ from scegen.understanding.amounts.timing import at_green, delayed, earlier
 from scegen.understanding.chunks import Chunk, Event
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.frames import Numbers
+from scegen.understanding.frames.loader import read
 from scegen.understanding.happenings import Apart, Doing, Happenings
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.rows import Families, read_rows, say
@@ -167,28 +167,16 @@ _ACTS = {
 }
 
 
-@dataclass(frozen=True, slots=True)
-class Fills:
-    """Gives a number to a field of an act: of some kinds, or of one that only this number tells."""
-
-    field: str
-    kinds: frozenset[ActKind]
-    makes: ActKind | None
-
-    def __call__(self, figure: Figure, _: Context) -> bool:
-        """Whether there is such an act."""
-        if self.makes is not None:
-            return made(figure, self.makes, self.field)
-        return fill(figure, self.field, self.kinds)
-
-
 def _effects(row: dict[str, Any]) -> Iterable[Any]:
     if "take" in row:
         take = TAKES[row["take"]]
         yield lambda figure, _: take(figure)
-    if "fills" in row:
-        makes = ActKind(row["makes"]) if "makes" in row else None
-        yield Fills(row["fills"], _ACTS[row.get("of", "along")], makes)
+    if "makes" in row:
+        makes = ActKind(row["makes"])
+        yield lambda figure, _: made(figure, makes, row["fills"])
+    elif "fills" in row:
+        kinds = _ACTS[row.get("of", "along")]
+        yield lambda figure, _: fill(figure, row["fills"], kinds)
 
 
 @lru_cache(maxsize=1)
@@ -204,8 +192,8 @@ def rows() -> Families:
 @cache
 def says_how(role: str) -> bool:
     """Whether numbers that measure this say how something is done."""
-    own = rows().rows.get(f"figures.{role}", ())
-    return any(isinstance(effect, Fills) for row in own for effect in row.effects)
+    told = (rows for roles, rows in read("figures").items() if role in roles.split(", "))
+    return any("fills" in row for rows in told for row in rows)
 
 
 def place(figure: Figure) -> bool:

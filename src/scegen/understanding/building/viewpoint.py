@@ -194,7 +194,6 @@ def face_each_other(draft: Draft, ego: Entity) -> None:
 
 
 _SIDES = {Maneuver.LEFT: Approach.LEFT, Maneuver.RIGHT: Approach.RIGHT}
-_OTHER = {Approach.LEFT: Approach.RIGHT, Approach.RIGHT: Approach.LEFT}
 _ALL_ALIKE = frozenset({Control.SIGNALS, Control.ALL_WAY_STOP})
 
 
@@ -209,8 +208,8 @@ def settle_arms(draft: Draft, ego: Entity) -> None:
             continue
         along, basis = entity.course
         side = _SIDES[next(iter(ego.maneuvers & set(_SIDES)))]
-        side = side if along else _OTHER[side]
-        said = [p.approaches & set(_OTHER) for p in draft.placements if p.entity is entity]
+        side = side if along else INVERSE[side]
+        said = [p.approaches & _ASIDE for p in draft.placements_of(entity)]
         if entity.crosses[0] is CrossedArm.EXIT and all(side in sides for sides in said if sides):
             draft.place(entity, ego, {side}, basis)
 

@@ -206,14 +206,6 @@ def frame_of(dimension: str, value: float, around: Window, verbs: frozenset[str]
     return AmountFrame(dimension, "other", instead="a measure that no rule could attach; left out")
 
 
-@dataclass(frozen=True, slots=True)
-class Measured:
-    """The words around a number, and what they make of it."""
-
-    around: Window
-    frame: AmountFrame
-
-
 class Numbers:
     """The numbers of a text.
 
@@ -237,8 +229,10 @@ class Numbers:
         self._around: dict[int, Window] = {}
         self._behind = {t.i: t.j - t.i for t in terms if (t.cat, t.value) == ("locus", "behind")}
 
-    def measured(self, quantity: Quantity, verb: str = "", at: int | None = None) -> Measured:
-        """A number with its role.
+    def measured(
+        self, quantity: Quantity, verb: str = "", at: int | None = None
+    ) -> tuple[Window, AmountFrame]:
+        """The words around a number, and what they make of it.
 
         Args:
             quantity: the number.
@@ -254,4 +248,4 @@ class Numbers:
             rest = around.after.split()[self._behind[quantity.j] :]
             around = replace(around, after=f" {' '.join(['behind', *rest])} ")
         low, verbs = quantity.value.low, frozenset([verb, *lemma])
-        return Measured(around, frame_of(quantity.dimension, low, around, verbs))
+        return around, frame_of(quantity.dimension, low, around, verbs)

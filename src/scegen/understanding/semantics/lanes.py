@@ -142,13 +142,11 @@ BY_DIR: dict[str, frozenset[Approach]] = {
     "front": frozenset({Approach.AHEAD}),
     "same": frozenset({Approach.AHEAD, Approach.BEHIND, Approach.ADJACENT}),
 }
-INVERSE = {
+INVERSE = {a: a for a in Approach} | {
     Approach.AHEAD: Approach.BEHIND,
     Approach.BEHIND: Approach.AHEAD,
     Approach.LEFT: Approach.RIGHT,
     Approach.RIGHT: Approach.LEFT,
-    Approach.OPPOSITE: Approach.OPPOSITE,
-    Approach.ADJACENT: Approach.ADJACENT,
 }
 """How one sees another, by how the other sees the one."""
 FACING = {"north": "south", "south": "north", "east": "west", "west": "east"}
