@@ -27,7 +27,7 @@ from scegen.understanding.draft import Draft
 from scegen.understanding.frames import Numbers
 from scegen.understanding.meaning.lights import read_calls
 from scegen.understanding.meaning.manner import too_fast
-from scegen.understanding.meaning.meaning import Interpreter
+from scegen.understanding.meaning.meaning import interpret
 from scegen.understanding.meaning.roadside import name_hiders
 from scegen.understanding.phrases.chunking import Chunker
 from scegen.understanding.phrases.headings import announce, read_entries, silence
@@ -137,7 +137,7 @@ def read(text: str) -> FunctionalScenario:
     events = share_out(events, terms)
     context = Context(draft, junction, tokens, across)
     numbers = Numbers(terms, tokens, surroundings.measured)
-    scenes = Interpreter(context).run(chunks, events)
+    scenes = interpret(chunks, events, context)
     settle_far_sides(draft)
     ego = choose_ego(draft, crossing=junction.crossing)
     happenings = read_amounts(numbers, chunks, scenes, context, ego[0])

@@ -216,8 +216,3 @@ def stray_clauses(chunks: list[Chunk], clauses: list[Clause]) -> Iterator[Clause
             who = next((c for c in heads if isinstance(c, Mention)), None)
         event = Event("", noun.prep.i, noun.j, "", pps=[Prep(noun.prep, noun)])
         yield Clause(event, list(who.entities) if who is not None else [], [])
-
-
-def clause_of_everybody(entities: list[Entity]) -> Clause:
-    """The text as a whole: a clause without words in which everybody takes part."""
-    return Clause(Event("", 0, 0, ""), list(entities), [])
