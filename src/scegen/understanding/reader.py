@@ -38,9 +38,9 @@ from scegen.understanding.phrases.repeated import lanes_meant, repeat, which_is_
 from scegen.understanding.phrases.road_turned_into import name_turned_into
 from scegen.understanding.phrases.telegrams import spell_out
 from scegen.understanding.phrases.which_road import name_roads
-from scegen.understanding.reference.discourse import Discourse
 from scegen.understanding.reference.generic import answer, deny_of_everybody
 from scegen.understanding.reference.resolving import resolve_mentions
+from scegen.understanding.reference.roster import Roster
 from scegen.understanding.road.each_arm import count_arms, share_arms
 from scegen.understanding.road.junctions import JunctionReading, read_junction
 from scegen.understanding.road.lengthwise import read_lengthwise, whole_bends
@@ -131,7 +131,7 @@ def read(text: str) -> FunctionalScenario:
     draft.ramp = lengthwise.auxiliary[1] if lengthwise.auxiliary is not None else None
     draft.kerb = (surroundings.side or DrivingSide.RIGHT).value
     shared = share_arms(chunks, events)
-    resolve_mentions(chunks, events, Discourse(draft, tokens, _arms(junction)))
+    resolve_mentions(chunks, events, Roster(draft, tokens, _arms(junction)))
     count_arms(shared, junction)
     across = "right" if surroundings.side is DrivingSide.LEFT else "left"
     events = share_out(events, terms)
