@@ -41,7 +41,8 @@ class Figure(Clause):
         sized = self.frame.role in {"long", "wide"} or (
             self.frame.role == "other" and self.frame.next
         )
-        if self.frame.dimension == "length" and not sized and self.inside is not None:
+        inside = self.phrase_around(self.i) if self.frame.dimension == "length" else None
+        if inside is not None and not sized:
             self.frame = AmountFrame("length", "long")  # "a 12 m bus": how large it is
         self.role = self.frame.role
         event = Event(self.role, self.i, self.j, "", parent=verb)
@@ -137,13 +138,8 @@ class Figure(Clause):
         ends = (k for k in range(i, stop) if tokens[k].low == ",")
         return begin, next(ends, stop), self.text.low(begin, opened[-1].j).strip()
 
-    @cached_property
-    def inside(self) -> Mention | Thing | None:
-        """``a 12 m bus``: somebody or something in whose phrase it stands."""
-        return self.phrase_around(self.i)
-
     def phrase_around(self, i: int) -> Mention | Thing | None:
-        """The same of another token."""
+        """``a 12 m bus``: somebody or something in whose phrase a token stands."""
         phrases = [c for c in self.text.chunks if isinstance(c, Mention | Thing) and has_a_size(c)]
         return next((p for p in phrases if p.head is not None and p.i <= i < p.head.i), None)
 

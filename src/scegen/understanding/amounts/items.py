@@ -185,7 +185,7 @@ def _named_beside(figure: Figure) -> NounPhrase | None:
     Of a noun and the place where that is said to be ("the truck in the left lane, which is 12 m
     long") it is the noun; but the lane may be so wide.
     """
-    within, text = figure.inside, figure.text
+    within, text = figure.phrase_around(figure.i), figure.text
     if within is None and text.low(figure.j + 1, figure.j + 2) == " and ":
         within = figure.phrase_around(figure.j + 2)  # "a 2.5 m wide and 12 m long bus"
     if within is not None:

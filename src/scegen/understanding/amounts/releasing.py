@@ -83,15 +83,11 @@ def _comes_down(figure: Figure, doing: Doing, subject: Entity, line: Place | Non
 def _thing(figure: Figure) -> Thing | None:
     """The thing that a phrase of place names, or that "it" stands for."""
     noun = figure.noun
-    if isinstance(noun, Mention) and _refers(noun):
-        named = (c for c in figure.text.chunks if c.i < figure.i)
-        things = [c for c in named if isinstance(c, Thing | Mention) and not _refers(c)]
-        noun = things[-1] if things else None
+    if isinstance(noun, Mention) and noun.pronoun is not None:
+        named = [c for c in figure.text.chunks if c.i < figure.i]
+        known = (c for c in reversed(named) if getattr(c, "pronoun", None) is None)
+        noun = next((c for c in known if isinstance(c, Thing | Mention)), None)
     return noun if isinstance(noun, Thing) and has_a_size(noun) else None
-
-
-def _refers(noun: Thing | Mention) -> bool:
-    return isinstance(noun, Mention) and noun.pronoun is not None
 
 
 def _before_a_thing(figure: Figure, thing: Thing, clause: tuple[int, int, str] | None) -> bool:

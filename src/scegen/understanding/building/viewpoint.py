@@ -48,7 +48,10 @@ def settle_positions(draft: Draft, ego: Entity) -> list[Placed]:
             if own is not None and placement.reference is None:
                 approaches = _reframed(own, approaches)
             allow(entity, _in_a_lane_there(placement, approaches, ego, draft), placement.basis)
-        elif _hidden_there(entity, reference) or _hidden_there(reference, entity):
+        elif any(
+            Maneuver.CROSS in one.maneuvers and other.still
+            for one, other in ((entity, reference), (reference, entity))
+        ):
             continue  # "hidden behind two parked cars": no place along the road
         elif not any(r[0] is entity and r[1] is reference for r in relations):
             relations.append((entity, reference, set(approaches), placement.basis))
@@ -98,11 +101,6 @@ def _side_by_side(first: Basis, second: Basis) -> bool:
     """Whether one stands right behind the other, but for a comma."""
     pairs = ((first.j, second.i), (second.j, first.i))
     return any(a is not None and b is not None and 0 <= b - a <= 1 for a, b in pairs)
-
-
-def _hidden_there(entity: Entity, other: Entity) -> bool:
-    """Whether one who crosses is behind one who is parked."""
-    return Maneuver.CROSS in entity.maneuvers and other.still
 
 
 def _in_file(relations: list[Placed]) -> None:

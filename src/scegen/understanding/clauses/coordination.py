@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import groupby
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
+from scegen.understanding.chunks import Event, Mention, Place, Prep
 from scegen.understanding.clauses.dependents import alternative, chain
 from scegen.understanding.clauses.located import is_it
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import sentence_end
 from scegen.understanding.phrases.nominal import WAYS
-from scegen.understanding.words.terms import Term
+from scegen.understanding.words.terms import NOTHING, Term
 
 _SHAPES = {"base": "inf", "ing": "ing"}
 """What a verb is without an auxiliary, by its form; any other is finite."""
@@ -158,12 +158,9 @@ def _is_somewhere(who: Mention, state: State) -> bool:
 def _list_goes_on(state: State) -> bool:
     """``a car, a van and a bus``: a comma alone does not make a list."""
     rest = state.chunks[state.k + 1 : sentence_end(state.chunks, state.k + 1)]
-    joint = next((c for c in rest if isinstance(c, Event) or _joins(c)), None)
-    return _joins(joint)
-
-
-def _joins(chunk: Chunk | None) -> bool:
-    return chunk is not None and chunk.value in {"and", "or"}
+    joints = (c for c in rest if isinstance(c, Event) or c.value in {"and", "or"})
+    joint = next(joints, NOTHING)
+    return joint is not NOTHING and not isinstance(joint, Event)
 
 
 def _doing_the_same(mention: Mention, state: State) -> None:

@@ -9,7 +9,7 @@ from scegen.scenario.vocabulary import Maneuver
 from scegen.understanding.entity import Entity
 from scegen.understanding.semantics import lanes, met, seen, ways
 from scegen.understanding.semantics.context import Clause, Context
-from scegen.understanding.semantics.marks import passes_round
+from scegen.understanding.semantics.marks import rounded
 from scegen.understanding.semantics.met import goal_of_contact
 
 Test: TypeAlias = Callable[[Clause, Context], bool]
@@ -103,6 +103,6 @@ FACTS: dict[str, Test] = {
     **ways.FACTS,
     **met.FACTS,
     **seen.FACTS,
-    "passes_round": passes_round,
+    "passes_round": lambda clause, c: rounded(clause, c) is not None,  # "edges round the van"
     "into_somebody": lambda clause, c: goal_of_contact(clause, c) is not None,
 }

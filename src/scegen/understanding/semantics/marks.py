@@ -131,7 +131,7 @@ def _side_to_verb(clause: Clause, _: Context) -> None:
     event.mods, event.object = [*turned, *ways], None
 
 
-def _round(clause: Clause, context: Context) -> tuple[Prep, Thing | Mention, list[Entity]] | None:
+def rounded(clause: Clause, context: Context) -> tuple[Prep, Thing | Mention, list[Entity]] | None:
     """The phrase that names what somebody gets past, with that, and the vehicles in it."""
     for prep in clause.event.pps if clause.event.object is None else []:
         passed = prep.target
@@ -146,14 +146,9 @@ def _round(clause: Clause, context: Context) -> tuple[Prep, Thing | Mention, lis
     return None
 
 
-def passes_round(clause: Clause, context: Context) -> bool:
-    """``edges round the parked van``: whether a phrase says what is passed."""
-    return _round(clause, context) is not None
-
-
 def _take_round(clause: Clause, context: Context) -> None:
     """What is passed becomes the object of the verb."""
-    found, event = _round(clause, context), clause.event
+    found, event = rounded(clause, context), clause.event
     if found is not None:
         phrase, event.object, clause.targets = found
         event.pps = [p for p in event.pps if p is not phrase]
