@@ -38,15 +38,7 @@ _ALONG_LANES = frozenset({HazardKind.CUT_IN, HazardKind.OVERTAKING, HazardKind.M
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """Decides what the road looks like.
-
-    Attributes:
-        draft: participants and what they do, which may imply a junction or lanes.
-        reading: what the text says about the junction.
-        around: what it says about lanes, limits and the driving side.
-        along: what it says about the road along its length.
-        proofs: where the evidence goes.
-    """
+    """Decides what the road looks like, by what the `Builder` has at hand."""
 
     draft: Draft
     reading: JunctionReading

@@ -25,13 +25,7 @@ from scegen.understanding.words.tokens import Token
 
 @dataclass(frozen=True, slots=True)
 class Writer:
-    """Writes what the text tells of, once everybody has a name.
-
-    Attributes:
-        happenings: what the text tells of.
-        ego: the ego.
-        proofs: where the evidence goes.
-    """
+    """Writes what the text tells of, once everybody has a name."""
 
     happenings: Happenings
     ego: Entity

@@ -26,13 +26,12 @@ _FEWEST_ARMS = 3
 class JunctionReading:
     """What the text says about the junction; None where it says nothing.
 
+    With ``_basis``: the words for it, or the reason.
+
     Attributes:
         kind: its shape.
-        kind_basis: the words for it.
         arms: number of arms.
-        arms_basis: the words for them, or the reason.
         control: who regulates priority.
-        control_basis: the words for it.
         dark: the words that say that lights do not work.
         named: some word for a junction occurs, even if not its shape.
         straight: the words for a straight road.

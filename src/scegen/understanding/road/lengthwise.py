@@ -152,8 +152,7 @@ class Lengthwise:
     """What the text says of the road itself; None where it says nothing.
 
     Attributes:
-        carriageway: how its directions lie to each other.
-        carriageway_basis: the words for it.
+        carriageway: how its directions lie to each other, with the words for it.
         presumed: those words only make it likely ("a highway").
         median: those words name a median.
         strips: what lies beside its lanes, with the words for it.

@@ -32,11 +32,9 @@ class Surroundings:
         conditions: field of the environment -> value and words.
         road: field of the junction for how fast, how wide or how long -> number and words.
         measured: the numbers that say so, which are nobody's speed and nobody's distance.
-        lanes: lanes per direction.
-        lanes_basis: the words or the reason.
+        lanes: lanes per direction, with the words or the reason.
         lanes_in_all: what the text counts, where it seems to count both directions together.
-        side: driving side.
-        side_basis: its words.
+        side: driving side, with its words.
         highway: the words for a road with several lanes each way.
         two_lane: the words "two lanes" without "per direction": those of a roundabout's ring.
     """
