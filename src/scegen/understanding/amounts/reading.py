@@ -27,7 +27,7 @@ from scegen.understanding.chunks import Chunk, Event
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.frames import Numbers
 from scegen.understanding.frames.loader import read
-from scegen.understanding.happenings import Apart, Doing, Happenings
+from scegen.understanding.happenings import Apart, Doing, Happenings, name_them
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.rows import Families, read_rows, say
 
@@ -77,10 +77,7 @@ def _kept(found: Happenings) -> list[Doing]:
         or (d.kind is ActKind.OVERTAKE  # "overtakes it on the right", "overtakes it and cuts in"
             and (d.side is not None or any(e is d.entity and i > d.i for e, i in home)))
     ]  # fmt: skip
-    counts: dict[ActKind, int] = {}
-    for doing in kept:
-        counts[doing.kind] = counts.get(doing.kind, 0) + 1
-        doing.name = f"{doing.kind.value}_{counts[doing.kind]}"
+    name_them(kept)
     return kept
 
 

@@ -6,13 +6,13 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Maneuver
 from scegen.understanding.amounts.figures import Figure, has_a_size
-from scegen.understanding.amounts.items import item_of, kind_of, number_them
+from scegen.understanding.amounts.items import item_of, kind_of
 from scegen.understanding.amounts.pairs import before_they_meet, tell_order, two_between
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.amounts.timing import endless, since_green, told_in
 from scegen.understanding.chunks import Mention, Place, Thing
 from scegen.understanding.entity import Basis, Entity
-from scegen.understanding.happenings import STILL, Amount, Doing, Since, Trigger
+from scegen.understanding.happenings import STILL, Amount, Doing, Since, Trigger, name_them
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.quantities import ends_a_quantity, quantity_at
 from scegen.understanding.words.terms import Term
@@ -101,7 +101,7 @@ def _before_a_thing(figure: Figure, thing: Thing, clause: tuple[int, int, str] |
         item = item_of(thing, text)
         item.blocks, item.blocked = True, None if doing.entity.ego else doing.entity
         items.append(item)
-        number_them(items)
+        name_them(items)
     doing.when = figure.trigger(
         "measure", measure=Measure.GAP_M, entity=doing.entity, reference=item
     )

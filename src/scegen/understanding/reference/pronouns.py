@@ -19,7 +19,7 @@ _TWO = 2
 def of_pronoun(
     roster: Roster, mention: Mention, exclude: list[Entity], near: str | None
 ) -> list[Entity]:
-    """The participants that a pronoun refers to; ``near`` as in ``Discourse.resolve``."""
+    """The participants that a pronoun refers to; ``near`` as in ``discourse.resolve``."""
     which = mention.pronoun
     basis = Basis(mention.i, mention.j)
     if which == "everybody":
