@@ -139,7 +139,7 @@ _MAX_WORD = 40
 """Longer runs of letters are no words; cutting them keeps look-ups cheap."""
 
 
-_KINDS = frozenset({"number", "label", "clitic", "neg", "punct"})
+_KINDS = ("number", "label", "clitic", "neg", "punct")
 """Groups that are a kind of their own; all others are words."""
 _SIGNS = {"tolerance": "±", "at": "at", "arrow": "to", "degrees": "degrees"}
 _BARE = frozenset({"plain", "punct"})
