@@ -132,7 +132,7 @@ class Builder:
             "acts": writer.acts(),
             "outcome": writer.outcome(),
             "environment": Environment(**{name: value for name, (value, _) in conditions.items()}),
-            "evidence": self.proofs.evidence,
+            "evidence": tuple(self.proofs.evidence),
             "unsupported": self._unsupported(),
         }
         scenario = FunctionalScenario.from_valid(parts, _FIELDS)  # each is checked where it is made

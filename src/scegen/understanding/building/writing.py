@@ -147,12 +147,7 @@ class Proofs:
         self._text = text
         self._tokens = tokens
         self._slips = [k for k, token in enumerate(tokens) if token.slip]
-        self._found: list[Evidence] = []
-
-    @property
-    def evidence(self) -> tuple[Evidence, ...]:
-        """All evidence so far, in the order in which it was given."""
-        return tuple(self._found)
+        self.evidence: list[Evidence] = []
 
     def span(self, i: int, j: int) -> tuple[int, int]:
         """Characters covered by tokens ``i`` to ``j - 1``."""
@@ -176,7 +171,7 @@ class Proofs:
         if basis is not None and basis.i is not None and basis.j is not None:
             start, end = self.span(basis.i, basis.j)
             told |= {"text": self._text[start:end], "start": start, "end": end}
-        self._found.append(Evidence.from_valid(told, _FIELDS))
+        self.evidence.append(Evidence.from_valid(told, _FIELDS))
 
     def _reason(self, basis: Basis) -> str:
         """Why a field has its value, misspelt words among those that it rests on included."""

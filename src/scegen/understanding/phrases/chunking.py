@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.phrases.naming import Namer
+from scegen.understanding.phrases.naming import name_further, name_noun, numbered
 from scegen.understanding.phrases.nominal import (
     OPENERS,
     WAYS,
@@ -251,11 +251,10 @@ class Chunker:
         mention = Mention(start, heads[-1].j, mods, heads[-1], owner, heads=heads)
         mention.label = heads[-1].data.get("label") if len(heads) == 1 else None
         mention.negated = mention.has("det", "negative")
-        named = Namer(self._terms, self._tokens)
-        m = named.single(mention, m)
+        m = name_noun(mention, m, self._terms, self._tokens)
         mention.possessor = ego_owns(heads, self._term(m))
         m = self._at_rest(mention, m)
-        further, m = named.further(mention, m)
+        further, m = name_further(mention, m, self._terms, self._tokens)
         self._chunks += [mention, *further]
         return m
 
@@ -271,7 +270,7 @@ class Chunker:
     def _thing(self, mods: list[Term], head: Term, m: int, owner: Mention | None) -> int:
         start = mods[0].i if mods else head.i
         if head.cat in {"place", "leg"}:
-            last = m + Namer(self._terms, self._tokens).numbered(head, m + 1)
+            last = m + numbered(head, m + 1, self._terms, self._tokens)
             place = Place(start, self._terms[last].j, mods, head, owner, kind=head.value)
             return self._add(place, last + 1)
         kind = head.cat if head.cat == "view" else head.value
