@@ -201,7 +201,9 @@ class Layout:
             reason = "a side road or driveway meets the road like the stem of a T"
             return JunctionKind.T, access.because(reason)
         implied = self.draft.implied.get("crossing") or self._lateral()
-        if implied is None and (implied := self._regulated()) is not None:
+        control = reading.control_basis if reading.control is not Control.UNCONTROLLED else None
+        if implied is None and control is not None:
+            implied = control.because("priority is regulated")
             self._lit_crosswalk(implied)
         implied = implied or self._side_road()
         if implied is not None:
@@ -249,12 +251,6 @@ class Layout:
         lanes = any(d.kind in _ALONG_LANES for d in self.draft.dangers)
         none = along or lanes or "from_kerb" in self.draft.implied
         return None if none else self.draft.implied.get("side_road")
-
-    def _regulated(self) -> Basis | None:
-        basis = self.reading.control_basis
-        if basis is None or self.reading.control is Control.UNCONTROLLED:
-            return None
-        return basis.because("priority is regulated")
 
     def _arms(self, kind: JunctionKind, basis: Basis | None) -> tuple[int, Basis]:
         reading = self.reading

@@ -42,7 +42,8 @@ class Window:
         """
         if frame.verb and not verbs & frame.verb:
             return False
-        if frame.near and not any(self._near(p) for p in frame.near):
+        around = self.before, self.after
+        if frame.near and not any(f" {p} " in words for p in frame.near for words in around):
             return False
         if any(self.after.startswith(f" {p} ") or self.preceded(p) for p in frame.unless):
             return False
@@ -61,9 +62,6 @@ class Window:
         return at >= 0 and _any_of("fillers", "links").issuperset(
             self.before[at + len(name) + 2 :].split()
         )
-
-    def _near(self, phrase: str) -> bool:
-        return f" {phrase} " in self.before or f" {phrase} " in self.after
 
     def preceded(self, phrase: str) -> bool:
         """Whether a phrase stands before the number; short words only right before it."""
