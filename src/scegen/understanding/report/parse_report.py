@@ -12,7 +12,7 @@ from typing import Any
 from pydantic import Field
 
 from scegen.errors import InfeasibleError
-from scegen.scenario.evidence import Evidence, EvidenceSource
+from scegen.scenario.evidence import EvidenceSource
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.model import FrozenModel
 from scegen.understanding.building.coverage import CONTRADICTS
@@ -96,7 +96,10 @@ def report_on(
         scenario: a scenario with evidence.
         disagreements: what was read in two ways; contradictions, each with its words.
     """
-    found = [_from_evidence(item, scenario) for item in scenario.evidence]
+    found = []
+    for e in scenario.evidence:
+        standing, value = STANDINGS[e.source], _value(scenario, e.field)
+        found.append(Finding(standing, e.field, value, e.text, e.start, e.end, e.reason))
     for left in scenario.unsupported:
         contradicts = left.instead.startswith(CONTRADICTS)
         standing = Standing.CONTRADICTED if contradicts else Standing.UNSUPPORTED
@@ -146,18 +149,6 @@ def _sorted(found: list[Finding]) -> tuple[Finding, ...]:
     order = list(Standing)
     return tuple(
         sorted(found, key=lambda f: (order.index(f.standing), f.start is None, f.start or 0))
-    )
-
-
-def _from_evidence(item: Evidence, scenario: FunctionalScenario) -> Finding:
-    return Finding(
-        STANDINGS[item.source],
-        item.field,
-        _value(scenario, item.field),
-        item.text,
-        item.start,
-        item.end,
-        item.reason,
     )
 
 
@@ -260,9 +251,7 @@ def passages(report: ParseReport) -> tuple[Passage, ...]:
         for f in report.findings
         if f.start is not None and f.end is not None
     ]
-    cuts = sorted(
-        {0, size, *(a for a, b, _ in placed if a < b), *(b for a, b, _ in placed if a < b)}
-    )
+    cuts = sorted({0, size, *(cut for a, b, _ in placed if a < b for cut in (a, b))})
     found = []
     for start, end in pairwise(cuts):
         here = tuple(f for a, b, f in placed if a <= start and end <= b)

@@ -43,30 +43,17 @@ def score(expect: Mapping[str, Any], scenario: FunctionalScenario) -> Score:
             from), ``hazards`` (``must`` and ``may``).
         scenario: the scenario to judge.
     """
-    fields: dict[str, bool] = {}
-    problems: list[str] = []
-    junction = scenario.junction
-    for name, value in (
-        ("junction", junction.kind.value),
-        ("arms", junction.arms),
-        ("control", junction.control.value),
-    ):
-        if name in expect:
-            fields[name] = value in expect[name]
-            if not fields[name]:
-                problems.append(f"{name} is {value}, expected one of {expect[name]}")
-    for name, judge in (
-        ("actors", _actors),
-        ("ego", _ego),
-        ("others", _others),
-        ("hazards", _hazards),
-    ):
-        if name in expect:
-            problem = judge(expect, scenario)
-            fields[name] = problem is None
-            if problem is not None:
-                problems.append(problem)
-    return Score(fields, tuple(problems))
+    road = scenario.junction
+    said = {"junction": road.kind.value, "arms": road.arms, "control": road.control.value}
+    judges = {"actors": _actors, "ego": _ego, "others": _others, "hazards": _hazards}
+    told = {name: (value, expect[name]) for name, value in said.items() if name in expect}
+    judged = {
+        name: None if value in wanted else f"{name} is {value}, expected one of {wanted}"
+        for name, (value, wanted) in told.items()
+    }
+    judged |= {name: judge(expect, scenario) for name, judge in judges.items() if name in expect}
+    problems = tuple(problem for problem in judged.values() if problem is not None)
+    return Score({name: problem is None for name, problem in judged.items()}, problems)
 
 
 def _actors(expect: Mapping[str, Any], scenario: FunctionalScenario) -> str | None:
