@@ -8,6 +8,8 @@ from __future__ import annotations
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import (
     CLOSE_FOLLOWING_S,
+    COMFORTABLE_BRAKING_MPS2,
+    HOLDS_S,
     PASSING_LAG_S,
     TAILGATING_HEADWAY_S,
 )
@@ -105,7 +107,9 @@ def happens_s_m(scene: Setup, draft: DriveDraft, kind: HazardKind, act: ActKind)
     Who causes no danger by it does so for those who endanger it, or whom it endangers.
     """
     hazards = scene.functional.hazards
-    about = [h.to for h in hazards if draft.id in h.by and h.kind is kind]
+    hit_by = _hit_by(scene) if act is ActKind.STOP and draft is scene.ego else ()
+    about = [hit_by] if hit_by else []
+    about += [h.to for h in hazards if draft.id in h.by and h.kind is kind]
     about += [h.by for h in hazards if draft.id in h.to]
     about += [h.to for h in hazards if draft.id in h.by]
     hazard = Hazard(kind=kind, by=(draft.id,), to=about[0] if about else ())
@@ -115,10 +119,18 @@ def happens_s_m(scene: Setup, draft: DriveDraft, kind: HazardKind, act: ActKind)
     walkers = stops_for_walkers(scene, draft)
     if walkers is not None:
         return walkers[0]
-    if draft is scene.ego:
+    if draft is scene.ego and not hit_by:
         # The ego brakes to avoid, the others brake in its way.
         place -= draft.body.length_m / 2 + _CLEAR_OF_OTHER_M
     return place
+
+
+def _hit_by(scene: Setup) -> tuple[str, ...]:
+    """Who drives into an ego that has stopped, where their ways meet."""
+    ego = scene.ego
+    stops = any(act.kind is ActKind.STOP for act in scene.speed_acts(ego.id))
+    hits = (d for d in scene.drives.values() if stops and scene.contact_wanted(ego.id, d.id))
+    return tuple(d.id for d in hits if d is not ego and drives_meet(ego, d) is not None)
 
 
 def conflict_meetings(scene: Setup, arranged: list[Meeting]) -> list[Meeting]:
@@ -165,6 +177,8 @@ def _ordinary(scene: Setup, involved: set[frozenset[str]], named: set[str]) -> l
         bystander = bool(scene.functional.hazards) and draft.id not in named and not collide
         priority = DANGER if collide else BYSTANDER if bystander else ORDINARY
         lag = PASSING_LAG_S if bystander else 0.0
+        if draft.id in _hit_by(scene):  # it has come to rest by then
+            lag = scene.ego.cruise_mps / (2 * COMFORTABLE_BRAKING_MPS2) + HOLDS_S
         point = drives_meet(scene.ego, draft)
         if point is not None and point.opposed:
             continue  # an overtaker in the oncoming lane: nobody said that it is met there
