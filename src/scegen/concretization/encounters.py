@@ -8,6 +8,7 @@ from __future__ import annotations
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import (
     CLOSE_FOLLOWING_S,
+    COMFORTABLE_ACCELERATION_MPS2,
     COMFORTABLE_BRAKING_MPS2,
     HOLDS_S,
     PASSING_LAG_S,
@@ -25,9 +26,10 @@ from scegen.concretization.meetings import (
 from scegen.concretization.setup import Setup
 from scegen.measures.grounds import grounds
 from scegen.scenario.acts import GAINING, ActKind
+from scegen.scenario.bodies import BODIES
 from scegen.scenario.functional import Hazard
 from scegen.scenario.hazards import HAZARDS, Arrangement, Case, Motion
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.vocabulary import HazardKind, Maneuver
 
 _CLEAR_OF_WALKER_M, _CLEAR_BEHIND_M, _CLEAR_OF_OTHER_M = 1.3, 0.7, 3.0
 _BEFORE_S = 1.5
@@ -66,6 +68,26 @@ def ahead_on_arm(scene: Setup, draft: DriveDraft) -> list[DriveDraft]:
     same = (other for other in scene.drives.values() if same_arm(other, draft))
     ahead = (other for other in same if other.drive.rank < draft.drive.rank)
     return sorted(ahead, key=lambda other: other.drive.rank)
+
+
+def join_traffic(scene: Setup) -> None:
+    """Who turns into a road that another drives along at a speed that is said gets as fast."""
+    for draft in scene.drives.values():
+        for other in scene.drives.values() if not scene.has_said_speed(draft.id) else ():
+            steady = scene.has_said_speed(other.id) and not scene.speed_acts(other.id)
+            joins = draft.drive.exit == other.drive.exit and not same_arm(draft, other)
+            if joins and steady and other.drive.turn is Maneuver.STRAIGHT:
+                draft.joins_mps = min(other.cruise_mps, BODIES[draft.kind].top_speed_mps)
+
+
+def _gains_speed_s(scene: Setup, draft: DriveDraft, other: DriveDraft, s_m: float) -> float:
+    """How much later another comes to who joins its road there, so as not to drive into it."""
+    slower = other.cruise_mps - draft.course.speed_at(s_m)
+    joins = draft.drive.exit == other.drive.exit and draft.joins_mps >= other.cruise_mps
+    if not joins or slower < 0.0 or scene.contact_wanted(draft.id, other.id):
+        return 0.0
+    rate = draft.acceleration_mps2(COMFORTABLE_ACCELERATION_MPS2)
+    return (slower**2 / (2 * rate) + draft.body.length_m) / other.cruise_mps
 
 
 def event_s_m(scene: Setup, draft: DriveDraft, hazard: Hazard) -> float:
@@ -152,7 +174,7 @@ def conflict_meetings(scene: Setup, arranged: list[Meeting]) -> list[Meeting]:
                 if same_arm(cause, sufferer) and drives_meet(cause, sufferer) is None:
                     found = [_close(scene, hazard, cause, sufferer, priority)]
                 else:
-                    found = _meeting(priority, cause, sufferer, 0.0, reason)
+                    found = _meeting(scene, priority, cause, sufferer, 0.0, reason)
                 meetings += found
                 if found:
                     involved.add(key)
@@ -182,7 +204,7 @@ def _ordinary(scene: Setup, involved: set[frozenset[str]], named: set[str]) -> l
         point = drives_meet(scene.ego, draft)
         if point is not None and point.opposed:
             continue  # an overtaker in the oncoming lane: nobody said that it is met there
-        found = _meeting(priority, scene.ego, draft, lag, "arrives together")
+        found = _meeting(scene, priority, scene.ego, draft, lag, "arrives together")
         if found:
             meetings += found
             taken.add(queue)
@@ -190,12 +212,19 @@ def _ordinary(scene: Setup, involved: set[frozenset[str]], named: set[str]) -> l
 
 
 def _meeting(
-    priority: int, first: DriveDraft, second: DriveDraft, lag_s: float, reason: str
+    scene: Setup,
+    priority: int,
+    first: DriveDraft,
+    second: DriveDraft,
+    lag_s: float,
+    reason: str,
 ) -> list[Meeting]:
     point = drives_meet(first, second)
     if point is None:
         return []
     places = point.first_s_m, point.second_s_m
+    lag_s += _gains_speed_s(scene, first, second, places[0])
+    lag_s -= _gains_speed_s(scene, second, first, places[1])
     return [Meeting(priority, first.id, second.id, *places, lag_s, reason)]
 
 

@@ -118,9 +118,8 @@ def _meets(scene: Clause, text: Telling) -> bool:
     event = scene.event
     if event.name == "overlook" and event.lemma == "miss":
         return _narrowly(event, max(0, event.i - _BEFORE), text) is not None
-    whom = event.passive or scene.targets  # "where a road on the left meets ours": nobody
-    part = whom and event.lemma in {"catch", "meet"} and _by_a_part(event, text)
-    return bool(part) or holds("contact", scene, text.context)
+    part = event.lemma in {"catch", "meet"} and _by_a_part(event, text)
+    return part or holds("contact", scene, text.context)
 
 
 def _narrowly(event: Event, start: int, text: Telling) -> tuple[int, int] | None:
