@@ -72,22 +72,21 @@ def ahead_on_arm(scene: Setup, draft: DriveDraft) -> list[DriveDraft]:
 
 def join_traffic(scene: Setup) -> None:
     """Who turns into a road that another drives along at a speed that is said gets as fast."""
+    drives = [d for d in scene.drives.values() if d.drive.turn is Maneuver.STRAIGHT]
+    steady = [d for d in drives if scene.has_said_speed(d.id) and not scene.speed_acts(d.id)]
     for draft in scene.drives.values():
-        for other in scene.drives.values() if not scene.has_said_speed(draft.id) else ():
-            steady = scene.has_said_speed(other.id) and not scene.speed_acts(other.id)
-            joins = draft.drive.exit == other.drive.exit and not same_arm(draft, other)
-            if joins and steady and other.drive.turn is Maneuver.STRAIGHT:
+        for other in steady if not scene.has_said_speed(draft.id) else ():
+            if draft.drive.exit == other.drive.exit and not same_arm(draft, other):
                 draft.joins_mps = min(other.cruise_mps, BODIES[draft.kind].top_speed_mps)
 
 
 def _gains_speed_s(scene: Setup, draft: DriveDraft, other: DriveDraft, s_m: float) -> float:
     """How much later another comes to who joins its road there, so as not to drive into it."""
-    slower = other.cruise_mps - draft.course.speed_at(s_m)
+    slower = max(other.cruise_mps - draft.course.speed_at(s_m), 0.0)
     joins = draft.drive.exit == other.drive.exit and draft.joins_mps >= other.cruise_mps
-    if not joins or slower < 0.0 or scene.contact_wanted(draft.id, other.id):
-        return 0.0
-    rate = draft.acceleration_mps2(COMFORTABLE_ACCELERATION_MPS2)
-    return (slower**2 / (2 * rate) + draft.body.length_m) / other.cruise_mps
+    way_m = slower**2 / (2 * COMFORTABLE_ACCELERATION_MPS2) + draft.body.length_m
+    apart = joins and not scene.contact_wanted(draft.id, other.id)
+    return way_m / other.cruise_mps if apart else 0.0
 
 
 def event_s_m(scene: Setup, draft: DriveDraft, hazard: Hazard) -> float:
@@ -130,8 +129,7 @@ def happens_s_m(scene: Setup, draft: DriveDraft, kind: HazardKind, act: ActKind)
     """
     hazards = scene.functional.hazards
     hit_by = _hit_by(scene) if act is ActKind.STOP and draft is scene.ego else ()
-    about = [hit_by] if hit_by else []
-    about += [h.to for h in hazards if draft.id in h.by and h.kind is kind]
+    about = [hit_by] * bool(hit_by) + [h.to for h in hazards if draft.id in h.by and h.kind is kind]
     about += [h.by for h in hazards if draft.id in h.to]
     about += [h.to for h in hazards if draft.id in h.by]
     hazard = Hazard(kind=kind, by=(draft.id,), to=about[0] if about else ())
@@ -174,7 +172,7 @@ def conflict_meetings(scene: Setup, arranged: list[Meeting]) -> list[Meeting]:
                 if same_arm(cause, sufferer) and drives_meet(cause, sufferer) is None:
                     found = [_close(scene, hazard, cause, sufferer, priority)]
                 else:
-                    found = _meeting(scene, priority, cause, sufferer, 0.0, reason)
+                    found = _meeting(scene, priority, (cause, sufferer), 0.0, reason)
                 meetings += found
                 if found:
                     involved.add(key)
@@ -204,7 +202,7 @@ def _ordinary(scene: Setup, involved: set[frozenset[str]], named: set[str]) -> l
         point = drives_meet(scene.ego, draft)
         if point is not None and point.opposed:
             continue  # an overtaker in the oncoming lane: nobody said that it is met there
-        found = _meeting(scene, priority, scene.ego, draft, lag, "arrives together")
+        found = _meeting(scene, priority, (scene.ego, draft), lag, "arrives together")
         if found:
             meetings += found
             taken.add(queue)
@@ -212,13 +210,9 @@ def _ordinary(scene: Setup, involved: set[frozenset[str]], named: set[str]) -> l
 
 
 def _meeting(
-    scene: Setup,
-    priority: int,
-    first: DriveDraft,
-    second: DriveDraft,
-    lag_s: float,
-    reason: str,
+    scene: Setup, priority: int, two: tuple[DriveDraft, DriveDraft], lag_s: float, reason: str
 ) -> list[Meeting]:
+    first, second = two
     point = drives_meet(first, second)
     if point is None:
         return []

@@ -87,11 +87,10 @@ def _by_the_verb(ending: Ending, text: Telling) -> None:
     done = [s for s in text.scenes if s.event.i == ending.basis.i]
     if ending.struck is None and any(_backs_into(s, text) for s in done):
         ending.struck, ending.struck_basis = BodySide.REAR, ending.basis
-    across = any(s.targets and s.event.lemma in word_list("into_the_side") for s in done)
-    if across and ending.struck is None and text.ego in ending.between:
-        egos = any(text.ego in s.actors for s in done)
-        ending.struck = BodySide.FRONT if egos else _side_faced(ending, text)
-        ending.struck_basis = ending.basis if ending.struck else None
+    into = [s for s in done if s.targets and s.event.lemma in word_list("into_the_side")]
+    if into and ending.struck is None and text.ego in ending.between:
+        ending.struck_basis = ending.basis
+        ending.struck = BodySide.FRONT if text.ego in into[0].actors else _side_faced(ending, text)
     hit = next((s for s in done if from_the_rear(s.event, text.context)), None)
     if hit is None or ending.struck is not None or text.ego not in ending.between:
         return
@@ -118,10 +117,9 @@ def _backs_into(scene: Clause, text: Telling) -> bool:
 
 def _head_on_into(place: Place, ending: Ending, text: Telling) -> bool:
     """``the ego hits the side of a van``: with its front, unless along that side."""
-    done = [s for s in text.scenes if s.event.i == ending.basis.i]
-    hits = any(text.ego in s.actors for s in done)
-    along = any(s.event.lemma in word_list("along_the_side") for s in done)
-    return hits and not along and bool(_SIDES & set(place.dirs))
+    done = [s for s in text.scenes if s.event.i == ending.basis.i and text.ego in s.actors]
+    across = any(s.event.lemma not in word_list("along_the_side") for s in done)
+    return across and bool(_SIDES & set(place.dirs))
 
 
 def _hit(place: Place, whose: Entity, ending: Ending, text: Telling) -> bool:

@@ -26,7 +26,6 @@ from scegen.understanding.road.lengthwise import Lengthwise
 from scegen.understanding.road.surroundings import Surroundings
 
 _ROUNDABOUT_ARMS = 4
-_STRAIGHT_OVER = {Maneuver.STRAIGHT, Maneuver.CROSS}
 _NO_LIGHT_HERE = "lights stand at intersections only: this is read as one, with four ways"
 _DRIVEN_OVER = "no median, or one way, is built where somebody comes the other way or has one lane"
 _NO_RAMP_HERE = "no ramp, or lane that ends, is built in a bend or at a junction; here is none"
@@ -242,7 +241,7 @@ class Layout:
         """``goes straight on from a minor road``: it goes on beyond the main one."""
         for entity in self.draft.entities:
             minor, basis = entity.on_minor or (False, None)
-            straight = {Maneuver.STRAIGHT} <= entity.maneuvers <= _STRAIGHT_OVER
+            straight = entity.maneuvers - {Maneuver.CROSS} == {Maneuver.STRAIGHT}
             if minor and basis is not None and straight:
                 return basis.because("who comes from the side road goes straight across")
         return None
