@@ -13,8 +13,8 @@ from scegen.understanding.chunks import NounPhrase, Place, Thing
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Amount, Apart, Ending
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.semantics.approaches import SIDES
 from scegen.understanding.semantics.context import Clause
+from scegen.understanding.semantics.lanes import SIDES
 from scegen.understanding.semantics.met import from_the_rear
 
 _WHOLE, _HALF, _LITTLE = 100.0, 50.0, 10.0
