@@ -20,8 +20,11 @@ def adjectives(mention: Mention, context: Context) -> None:
     """``the oncoming car``, ``a northbound truck``."""
     approaches = adjective_approaches(mention.dirs)
     term = mention.mod("dir") or mention.head
-    for entity in mention.entities:
-        if approaches and term is not None:
+    whole, alone = mention.entities, context.draft.ego is None
+    for entity in whole:
+        if term is not None and context.lows(term.i, term.j) == ["opposing"] and alone:
+            entity.opposed |= {e.index for e in whole if e is not entity}  # "two opposing cars"
+        if approaches and term is not None and not entity.opposed:
             context.draft.place(entity, None, set(approaches), Basis(term.i, term.j))
     for mod in mention.mods:
         if mod.cat == "compass":

@@ -95,7 +95,7 @@ class Discourse:
         located = any(p.word.cat == "locus" and is_pronoun(p.target) for p in mention.pps)
         if (located and not is_it(mention)) or mention.besides:
             exclude = [*exclude, *self._roster.subject]  # "the car behind it" is not "it"
-        if two := self._of_two(mention) or self._at_the_wheel(mention):
+        if two := self._of_two(mention, exclude) or self._at_the_wheel(mention):
             found = two
         elif mention.pronoun is not None:
             found = self._we(mention, exclude) or of_pronoun(self._roster, mention, exclude, near)
@@ -125,18 +125,19 @@ class Discourse:
             for entity in mention.entities:
                 entity.named_by.add("somebody")
 
-    def _of_two(self, mention: Mention) -> list[Entity]:
+    def _of_two(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         """``both vehicles``, ``the two``: of two who are known already, or of one and the ego."""
         first = mention.i - (mention.pronoun == "count")
         words = " ".join(t.low for t in self.tokens[max(0, first) : mention.j])
         told = words in word_list("two_cars") | word_list("two_of_them")
         if (told or mention.pronoun == "both") and [e.ego for e in self.entities] == [False]:
             the_ego(self._roster, ParticipantKind.CAR, Basis(mention.i, mention.j))
-        cars = [e for e in self.entities if e.kind is ParticipantKind.CAR]  # besides a lorry
-        loosely = any(e.ego for e in self.entities) and all(e.is_vehicle for e in self.entities)
-        cars = self.entities if loosely and len(cars) < _A_PAIR else cars  # the ego and a van
+        here = [e for e in self.entities if e not in exclude]
+        cars = [e for e in here if e.kind is ParticipantKind.CAR]  # besides a lorry
+        loosely = any(e.ego for e in here) and all(e.is_vehicle for e in here)
+        cars = here if loosely and len(cars) < _A_PAIR else cars  # the ego and a van
         meant = cars if words in word_list("two_cars") else []
-        meant = self.entities if words in word_list("two_of_them") else meant
+        meant = here if words in word_list("two_of_them") else meant
         return list(meant) if len(meant) == _A_PAIR else []
 
     def _at_the_wheel(self, mention: Mention) -> list[Entity]:

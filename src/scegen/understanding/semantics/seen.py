@@ -68,7 +68,7 @@ def seen(entity: Entity, site: Site) -> None:
         _in_the_egos_lane(entity, site)
         return
     plural = any(
-        t.form == "s" for t in (place.head, *place.mods) if t and t.cat in {"place", "dir"}
+        t.form == "s" for t in (place.head, *place.mods) if t and t.cat in {"place", "dir", "leg"}
     )
     together = [e for e in site.clause.actors if e is not entity]
     if approaches == BY_DIR["opposite"] and plural and together:  # "from opposite directions"
