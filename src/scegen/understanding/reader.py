@@ -22,6 +22,7 @@ from scegen.understanding.clauses.ellipsis import (
     said_of_one,
     who_comes,
 )
+from scegen.understanding.clauses.located import whole_for_part
 from scegen.understanding.clauses.respectively import share_out
 from scegen.understanding.draft import Draft
 from scegen.understanding.frames import Numbers
@@ -65,6 +66,7 @@ _PUT_RIGHT: tuple[tuple[set[str], Callable[[list[Chunk], list[Token]], list[Chun
     ({"lane", "lanes", "ramp", "one"}, lanes_meant),
     ({"behind", "between", "by"}, lambda chunks, _: name_hiders(chunks)),
     (set(), name_roads),
+    ({"flank"}, whole_for_part),
     ({"turn", "sharp_turn"}, name_turned_into),
     ({"which", "whom"}, which_is_it),
     ({"including", "included", "among", "amongst"}, counted_in),

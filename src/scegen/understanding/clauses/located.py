@@ -4,7 +4,17 @@ from __future__ import annotations
 
 from typing import TypeGuard
 
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
+from scegen.understanding.chunks import (
+    Chunk,
+    Event,
+    Mention,
+    NounPhrase,
+    Place,
+    Prep,
+    Thing,
+    Word,
+    teller_at,
+)
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import (
     GOVERNING,
@@ -16,12 +26,30 @@ from scegen.understanding.phrases.lookahead import (
     value_at,
 )
 
+_ENDS = frozenset({"ahead", "behind"})
+
 
 def landmark(target: NounPhrase | Event | None) -> NounPhrase | Event | None:
-    """``behind the ego's rear bumper``: behind the ego, as far as others are concerned."""
-    beside = isinstance(target, Place) and target.kind in {"shoulder", "flank"}
+    """``beside the ego's shoulder``: beside the ego, as far as others are concerned."""
+    beside = isinstance(target, Place) and target.kind == "shoulder"
     owner = target.owner if isinstance(target, Thing | Place) else None
     return owner if owner is not None and (beside or isinstance(target, Thing)) else target
+
+
+def whole_for_part(chunks: list[Chunk], _: object) -> list[Chunk]:
+    """``right in front of our bumper``, ``ahead of the ego's bonnet``: in front of the vehicle."""
+    found: list[Chunk] = []
+    for part in chunks:
+        own = part.mod("possessive") if isinstance(part, Place) and part.kind == "flank" else None
+        owner = part.owner if isinstance(part, Place) and part.kind == "flank" else None
+        if owner is not None and found[-1:] == [owner] and value_at(found, len(found) - 2) in _ENDS:
+            owner.possessor = False
+        elif own is not None and value_at(found, len(found) - 1) in _ENDS:
+            it = Mention(part.i, part.j, [], own, pronoun="it")
+            found.append(teller_at(part.i) if own.value == "first_person" else it)
+        else:
+            found.append(part)
+    return found
 
 
 def is_it(noun: object) -> TypeGuard[Mention]:
@@ -83,7 +111,7 @@ def side_of_place(noun: NounPhrase, state: State) -> bool:
         arm = place.kind in _ARMS and place.stands_after(*_BY_ROAD) and place.owner is None
         arm = arm and bool({"left", "right"} & set(noun.dirs)) and noun.stands_after("in", "to")
         beside = arm or place.kind in _BESIDE_THE_ROAD or _lane_beside(place, noun, state)
-        if not beside:
+        if not beside or (noun.head is None and "opposite" in noun.dirs):  # "… direction"
             return False
         place.j = noun.j
     else:
