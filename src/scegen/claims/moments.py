@@ -82,7 +82,8 @@ def rest(told: Told, act: Act, view: View) -> tuple[Ints, Ints]:
 
 def _rests_before(told: Told, act: Act) -> int:
     """How often one has gone on after a rest before; who waits and then sets off does so once."""
-    own, number = told.acts_of(act.participant), -1
+    own = told.acts_of(act.participant)
+    number = 0 if told.crossing(act.participant) else -1  # who goes across stood first
     for n, each in enumerate(own):
         after_wait = n > 0 and own[n - 1].kind is ActKind.WAIT
         number += each.kind is ActKind.WAIT

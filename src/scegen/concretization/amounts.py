@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from math import pi
+from math import pi, sqrt
 
 from scegen.concretization.limits import (
     COMFORTABLE_ACCELERATION_MPS2,
@@ -28,7 +28,7 @@ CLOSEST_M = 0.65
 CHANGES_MPS = 8.0
 """By how much speed changes where nobody says."""
 _HARDER = (1.0, 1.2, 1.4, 9.0)
-_OF_GRIP = 0.95
+_OF_GRIP, _ASIDE = 0.95, 0.8
 _RATES_MPS2: dict[HazardKind | None, float] = {
     HazardKind.HARD_BRAKING: HARD_BRAKING_MPS2[0],
     HazardKind.LOSS_OF_CONTROL: HARD_BRAKING_MPS2[0],
@@ -169,10 +169,18 @@ def answering_rates_mps2(act: Act | None, most_mps2: float, *, hard: bool) -> li
     return sorted({min(usual * harder, most_mps2) for harder in _HARDER})
 
 
-def lasting_s(act: Act, width_m: float, usual_s: float) -> float:
-    """How long a move to the side takes: a cosine's greatest speed is pi/2 of its mean."""
-    if act.duration_s is not None:
+def lasting_s(act: Act | None, width_m: float, usual_s: float, grip_mps2: float) -> float:
+    """How long a move to the side takes, as said, or as is usual and the tyres hold.
+
+    It is a cosine: its greatest speed is pi/2 of its mean.
+    """
+    if act is not None and act.duration_s is not None:
         return max(act.duration_s.middle, 0.2)
-    if act.lateral_mps is not None:
+    if act is not None and act.lateral_mps is not None:
         return width_m * pi / 2 / max(act.lateral_mps.middle, 0.1)
-    return usual_s
+    return max(usual_s, gripped_s(width_m, grip_mps2))
+
+
+def gripped_s(width_m: float, grip_mps2: float) -> float:
+    """How long a move to the side must take for the tyres to hold."""
+    return pi * sqrt(width_m / (2 * _ASIDE * grip_mps2))

@@ -5,8 +5,7 @@ A move is told from where it is over: just before the drive slows down for its t
 
 from __future__ import annotations
 
-from math import pi, sqrt
-
+from scegen.concretization.amounts import gripped_s
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import (
     CUT_IN_HEADWAY_S,
@@ -25,7 +24,7 @@ from scegen.scenario.vocabulary import HazardKind, Maneuver, Side
 
 BEHIND_M, AHEAD_M = 3.0, 6.0
 """The room that one who overtakes has before it pulls out, and as it comes back."""
-_LEAST_M, _OF_GRIP = 8.0, 0.8
+_LEAST_M = 8.0
 _BEFORE_TURNING_M, _BEFORE_JUNCTION_M = 3.0, 5.0
 _LEAST_RUN_UP_M, _SPARE_M = 5.0, 10.0
 _MUCH_FASTER_MPS, _GAP_M = 3.5, 1.5
@@ -36,8 +35,7 @@ def change_length_m(
     draft: DriveDraft, seconds: float = LANE_CHANGE_S, width_m: float = LANE_WIDTH_M
 ) -> float:
     """How long a move to the side is that takes so many seconds, or as many as grip asks for."""
-    gripped = pi * sqrt(width_m / (2 * _OF_GRIP * draft.grip_mps2))
-    return max(_LEAST_M, draft.cruise_mps * max(seconds, gripped))
+    return max(_LEAST_M, draft.cruise_mps * max(seconds, gripped_s(width_m, draft.grip_mps2)))
 
 
 def over_by_m(*drafts: DriveDraft) -> float:

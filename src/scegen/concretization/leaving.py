@@ -198,7 +198,7 @@ def _length_m(
 ) -> float:
     """How long a move is: over so much, else over a lane, as quick as is said, else as is usual."""
     width_m = width_m or scene.functional.junction.lanes_wide_m
-    lasts_s = usual_s if act is None else lasting_s(act, width_m, usual_s)
+    lasts_s = lasting_s(act, width_m, usual_s, draft.grip_mps2)
     return change_length_m(draft, lasts_s, width_m)
 
 

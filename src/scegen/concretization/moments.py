@@ -29,7 +29,7 @@ def during_s(scene: Setup, act: Act) -> tuple[float, float]:
     name = act.participant
     if name in scene.walks:
         begins, walk = leaves_s(scene, name), scene.walks[name]
-        if act.kind is ActKind.STOP and walk.stops_after_m is not None:
+        if act is walk.stop:
             return begins + walk.slows_s(), begins + walk.rests_s()
         return begins, begins + walk.runs_s(walk.path.length_m)
     if name not in scene.drives:

@@ -16,7 +16,14 @@ from scegen.motion.standing import crossing_path
 from scegen.road.model import RoadNetwork
 from scegen.scenario.acts import Act, AfterStart
 from scegen.scenario.bodies import Body
-from scegen.scenario.concrete import CrossingMotion, SpeedPhase, StandingMotion, Travelled
+from scegen.scenario.concrete import (
+    CrossingMotion,
+    SpeedPhase,
+    StandingMotion,
+    StoodStill,
+    Travelled,
+    Trigger,
+)
 from scegen.scenario.logical import Crossing, Standing
 from scegen.scenario.vocabulary import ANIMALS, HazardKind, ParticipantKind
 
@@ -41,8 +48,8 @@ class Walker:
     """One who goes across a road, on foot or by bicycle, at a steady pace from where it starts.
 
     ``act`` is the one of the text that this is, ``stop`` the one by which it stops on its way,
-    ``setback_m`` how far outside the carriageway it starts, ``stops_after_m`` where its way ends
-    if it does not go across.
+    ``setback_m`` how far outside the carriageway it starts, ``stops_after_m`` where it stops: its
+    way ends there, unless it is said for how long it stops.
     """
 
     id: str
@@ -88,17 +95,25 @@ class Walker:
         return self.profile.at_times(np.maximum(since_s, 0.0))
 
     @property
+    def stands_s(self) -> float | None:
+        """How long one stops who goes on then; None if it does not."""
+        lasts = None if self.stop is None else self.stop.duration_s
+        return None if lasts is None else lasts.middle
+
+    @property
     def profile(self) -> Profile:
         """Its way over time from when it sets off."""
         profile = Profile(0.0)
         profile.change(0.0, self.speed_mps, self.rate_mps2)
         if self.stops_after_m is not None:
             profile.change(max(0.0, self.slows_s()), 0.0, self.rate_mps2)
+            if self.stands_s is not None:
+                profile.change(self.rests_s() + self.stands_s, self.speed_mps, self.rate_mps2)
         return profile
 
     def motion_at(self, from_junction_m: float) -> CrossingMotion:
         """Its way across, so far from the inner end of its arm."""
-        stops = self.stops_after_m
+        stops = self.stops_after_m if self.stands_s is None else None
         return CrossingMotion(
             arm=self.crossing.arm,
             start_side=self.crossing.start,
@@ -109,25 +124,38 @@ class Walker:
 
     def program_by(
         self, met: Iterable[Comes], sets_off_s: float, length_m: float
-    ) -> tuple[SpeedPhase, SpeedPhase]:
-        """Set off as one has come so far who is met, and come to rest just before its way ends."""
-        end = max(0.0, length_m - self.gains_m - STOPS_SHORT_M)
-        return (
+    ) -> tuple[SpeedPhase, ...]:
+        """Set off as one has come so far who is met, and come to rest just before its way ends.
+
+        Who stops for a while on its way goes on after it.
+        """
+        sets_off = as_they_come(() if self.timed else met, sets_off_s)
+        told: list[tuple[Trigger, float, HazardKind | None, Act | None]] = [
+            (sets_off, self.speed_mps, _CROSSES.get(self.kind), self.act)
+        ]
+        if self.stops_after_m is not None:
+            there = self._short_of(round(self.stops_after_m, 3))
+            told.append((there, 0.0, HazardKind.STOPPING, self.stop))
+        if self.stands_s is not None:
+            stood = StoodStill(participant=self.id, duration_s=self.stands_s)
+            told.append((stood, self.speed_mps, None, None))
+        if self.stops_after_m is None or self.stands_s is not None:
+            told.append((self._short_of(length_m), 0.0, None, None))
+        return tuple(
             SpeedPhase(
-                trigger=as_they_come(() if self.timed else met, sets_off_s),
-                target_speed_mps=round(self.speed_mps, 4),
+                trigger=trigger,
+                target_speed_mps=round(target, 4),
                 rate_mps2=self.rate_mps2,
-                hazard=_CROSSES.get(self.kind),
-                act=None if self.act is None else self.act.id,
-            ),
-            SpeedPhase(
-                trigger=Travelled(participant=self.id, distance_m=round(end, 3)),
-                target_speed_mps=0.0,
-                rate_mps2=self.rate_mps2,
-                hazard=None if self.stops_after_m is None else HazardKind.STOPPING,
-                act=None if self.stop is None else self.stop.id,
-            ),
+                hazard=hazard,
+                act=None if act is None else act.id,
+            )
+            for trigger, target, hazard, act in told
         )
+
+    def _short_of(self, way_m: float) -> Trigger:
+        """When it must begin to stop."""
+        begins_m = max(0.0, way_m - self.gains_m - STOPS_SHORT_M)
+        return Travelled(participant=self.id, distance_m=round(begins_m, 3))
 
 
 @dataclass

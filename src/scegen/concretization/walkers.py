@@ -75,7 +75,12 @@ def goes_far_m(act: Act | None) -> float | None:
 
 def stops(tale: Tale, name: str) -> bool:
     """Whether one who goes across is said to stop on its way."""
-    return HazardKind.STOPPING in tale.kinds_by(name) or bool(tale.first_act(name, ActKind.STOP))
+    return HazardKind.STOPPING in tale.kinds_by(name) or stop_of(tale, name) is not None
+
+
+def stop_of(tale: Tale, name: str) -> Act | None:
+    """The act by which it does: for a while, or for good."""
+    return tale.first_act(name, ActKind.STOP) or tale.first_act(name, ActKind.WAIT)
 
 
 def rests_m(tale: Tale, walk: Walker, met: Met, *, centre_m: float) -> float:
@@ -247,7 +252,7 @@ def stop_in_the_way(scene: Setup) -> None:
         if found is None or walk.stops_after_m is not None:
             continue
         draft, point = found
-        walk.stop = scene.first_act(walk.id, ActKind.STOP)
+        walk.stop = stop_of(scene, walk.id)
         _, met = _met_at(draft, walk, point)
         ahead_m = walk.body.centre_ahead_m
         rests = rests_m(scene, walk, met, centre_m=walk.path.length_m / 2 - ahead_m)

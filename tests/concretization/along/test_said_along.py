@@ -11,6 +11,8 @@ from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding import read
 
 SENTENCES = [
+    "A child runs across the road at 10 km/h, stops in the ego's lane for 2 s and runs on.",
+    "A woman stops at the kerb for 3 s and then crosses the road.",
     "A van cuts in from the right at a time to collision of 4 s.",
     "The lead car brakes when the time to collision is 3 s.",
     "The ego stands behind a van. After 4 s the van reverses at 4 km/h and bumps into the ego.",

@@ -38,8 +38,10 @@ def claims(told: Told) -> Iterator[Claim]:
     yield _claim("participants", f"{there} and no others", "participants", test)
     said = told.functional.environment.model_dump(mode="json", exclude_none=True)
     for name, value in said.items():
-        field, test = f"environment.{name}", partial(_conditions, name, str(value))
-        yield _claim(field, f"{plain(name)}: {plain(str(value))}", field, test)
+        field, test = f"environment.{name}", partial(_conditions, name, value)
+        what = plain(value) if isinstance(value, str) else f"{value:g}"
+        unit = " m" if name.endswith("_m") else ""
+        yield _claim(field, f"{plain(name.removesuffix('_m'))}: {what}{unit}", field, test)
 
 
 def _claim(name: str, statement: str, field: str, test: Test) -> Claim:
@@ -158,5 +160,5 @@ def _those(names: set[str], view: View) -> Judged:
     return always(view, holds=found == names, measured=len(found))
 
 
-def _conditions(name: str, value: str, view: View) -> Judged:
+def _conditions(name: str, value: str | float, view: View) -> Judged:
     return always(view, holds=getattr(view.concrete.environment, name) == value)

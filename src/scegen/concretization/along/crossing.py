@@ -24,6 +24,7 @@ from scegen.concretization.walkers import (
     pace_mps,
     rests_m,
     setback_m,
+    stop_of,
     stops,
 )
 from scegen.scenario.acts import LETS_BY, Act, ActKind, AfterStart, WhenMeasure
@@ -75,7 +76,7 @@ def _walk(story: Story, crossing: Crossing) -> Walk:
     middle = (meets.y_m(0.0) - edge) * into - body.centre_ahead_m
     met = Met(meets.id, meets.body, meets.speed_mps, middle, into * meets.sign)
     to_aim = aim_m(story, walk, met)
-    walk.stop = story.first_act(walk.id, ActKind.STOP)
+    walk.stop = stop_of(story, walk.id)
     far, stands = goes_far_m(act), stops(story, walk.id)
     if far is None and stands:
         centre = -edge * into - body.centre_ahead_m

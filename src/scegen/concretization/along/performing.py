@@ -208,7 +208,7 @@ def _sideways(story: Story, act: Act, runner: Runner, begins_s: float) -> list[M
         return [Move(begins_s, LANE_CHANGE_S, 0, runner.offset_m, act.id, hazard)]
     width = max(abs(lane - now), 1) * runner.lane_width_m
     usual = ABRUPT_LANE_CHANGE_S if hazard in _ABRUPT else LANE_CHANGE_S
-    lasts = lasting_s(act, width, usual)
+    lasts = lasting_s(act, width, usual, story.grip_mps2)
     return [Move(begins_s, lasts, lane, 0.0, act.id, hazard)]
 
 
@@ -222,16 +222,16 @@ def _swerve(
         away = runner.y_m(0.0) - door.y_m(0.0)
         needs = (door.body.width_m + runner.body.width_m) / 2 + _CLEAR_OF_DOOR_M - abs(away)
         aside_m = runner.sign * copysign(max(needs, _CLEAR_OF_DOOR_M), away)
-        lasts, stays_s = lasting_s(act, abs(aside_m), _SHIES_FOR_S), _PASSES_S
+        lasts, stays_s = lasting_s(act, abs(aside_m), _SHIES_FOR_S, story.grip_mps2), _PASSES_S
         there, back = (lane, runner.offset_m + aside_m), runner.offset_m
     elif act.lateral_m is None and (_is_lane(story, lane, side) or act.side is None):
         side = side if _is_lane(story, lane, side) else side.opposite
-        lasts = lasting_s(act, runner.lane_width_m, ABRUPT_LANE_CHANGE_S)
+        lasts = lasting_s(act, runner.lane_width_m, ABRUPT_LANE_CHANGE_S, story.grip_mps2)
         there, back = (max(0, lane + outward(story.functional, side)), 0.0), 0.0
     else:
         room_m = (runner.lane_width_m - runner.body.width_m) / 2  # up to the edge of its lane
         width = room_m if act.lateral_m is None else act.lateral_m.middle
-        lasts = lasting_s(act, width, LANE_CHANGE_S)
+        lasts = lasting_s(act, width, LANE_CHANGE_S, story.grip_mps2)
         back = runner.moves[-1].offset_m if runner.moves else runner.offset_m
         there = lane, back + (width if side is Side.LEFT else -width)
         if abs(there[1]) > MOST_OFFSET_M:

@@ -17,9 +17,10 @@ MEETS = (ConflictKind.CROSSING, ConflictKind.MERGING)
 def candidate_pairs(concrete: ConcreteScenario) -> list[Pair]:
     """Pairs that the danger may be about, the best first, each once.
 
-    First those of the dangers, plain conflicts and the ego's before others, what only stands there
-    last; then the ego's conflicts, then all others; those between whom somebody drives, and whom
-    lights keep apart, come last. Others of whom one only follows another keep their distance.
+    First those of the dangers, the ego's before others, plain conflicts before those with what
+    only stands there; then the ego's conflicts, then all others; those between whom somebody
+    drives, and whom lights keep apart, come last. Others of whom one only follows another keep
+    their distance.
     """
     ego = concrete.ego.id
     things = {thing.id for thing in concrete.objects}
@@ -27,7 +28,8 @@ def candidate_pairs(concrete: ConcreteScenario) -> list[Pair]:
     kinds = list(PREDICATES)
     asked = [h for h in concrete.hazards if h.kind in PREDICATES and PREDICATES[h.kind].conflict]
     for hazard in sorted(asked, key=lambda h: kinds.index(h.kind)):
-        found += sorted(both_sides(hazard), key=lambda pair: ego not in pair)
+        found += both_sides(hazard)
+    found.sort(key=lambda pair: ego not in pair)
     moving = [pair for pair in found if not things & {*pair}]
     found = [*moving, *(pair for pair in found if pair not in moving and ego in pair)]
     conflicts = [c for c in concrete.logical.conflicts if c.kind is not ConflictKind.NONE]

@@ -186,13 +186,18 @@ def _to_standstill(doing: Doing, text: Telling, upto: int | None = None) -> None
 
 
 def _continued(doing: Doing, found: list[Doing], text: Telling) -> bool:
-    """``brakes and stops``: one act that ends at standstill; ``sets off and accelerates``."""
+    """``brakes and stops``: one act that ends at standstill; ``sets off and accelerates``.
+
+    Who ``crosses, stops, then walks on`` goes on crossing.
+    """
     before = next((d for d in reversed(found) if d.entity is doing.entity), None)
     if before is not None and (before.kind, doing.kind) == (ActKind.SET_OFF, ActKind.ACCELERATE):
         joined = text.bounds(before.i) == text.bounds(doing.i)
         joined = joined and text.find("then", before.i, doing.i) is None
         before.told += [doing.i] if joined else []
         return joined
+    if before is not None and (before.kind, doing.kind) == (ActKind.STOP, ActKind.CROSS):
+        return any(d.kind is ActKind.CROSS and d.entity is doing.entity for d in found)
     if doing.kind is not ActKind.STOP or before is None or before.kind is not ActKind.BRAKE:
         return False
     if text.find("holding_at", before.i, doing.i) is not None:

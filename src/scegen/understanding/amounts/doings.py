@@ -52,13 +52,15 @@ def comes_to(figure: Figure) -> bool:
 def rests(figure: Figure) -> bool:
     """``stops and stands there for 8 s``: how long one is at rest, not how it gets there."""
     event, text = figure.verb, figure.text
-    who = [e for e in figure.actors if e.is_vehicle]
-    who = who or [e for e in figure.subject if e.is_vehicle]
+    who = figure.actors or figure.subject
     if event is None or not who:
         return False
     own = [a for a in text.acts(figure.start, event.i + 1) if a.entity is who[0]]
     doing = own[-1] if own else None
-    if doing is None or doing.kind is not ActKind.STOP or doing.amounts:
+    stops = doing is not None and doing.kind is ActKind.STOP and not doing.amounts
+    if doing is None or not stops:
+        if not who[0].is_vehicle:  # it waits at the kerb
+            return False
         doing = text.add(Doing(ActKind.WAIT, who[0], Basis(event.i, event.j), event.i))
     else:
         doing.kind, doing.always = ActKind.WAIT, True

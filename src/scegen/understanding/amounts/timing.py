@@ -179,7 +179,7 @@ def _act(figure: Figure) -> Doing | None:
     here = told_in(text, figure.start, figure.end)
     joined = [k for k in (i - 2, i - 1) if text.tokens[max(k, 0)].low in {"and", "then"}]
     commas = [k for k in range(figure.start, i) if text.tokens[k].low == ","]
-    opening = max([figure.start, *(k + 1 for k in (*commas, *joined))])
+    opening = max([part_of(figure)[0], *(k + 1 for k in (*commas, *joined))])
     earlier = [a for k, a in here if k < i]
     before = [a for k, a in here if opening <= k < i]
     after = [(k, a) for k, a in here if k > i]

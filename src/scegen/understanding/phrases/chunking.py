@@ -179,7 +179,7 @@ class Chunker:
             return self._stand_alone([first, after], "others", k)  # "two others"
         if first.value == "other" and len(mods) > 1 and mods[1].data.get("number", 0) > 1:
             return self._stand_alone(mods[:2], "others", k)  # "the other three"
-        if first.cat == "num" and first.data["number"] < 10:
+        if first.cat == "num" and first.data["number"] in range(1, 10):
             coming = mods[1:2] if mods[1:] and mods[1].value in _COMING_FROM else []
             named = "one" if first.data["number"] == 1 else "count"
             return self._stand_alone([first, *coming], named, k)  # "one", "one oncoming"

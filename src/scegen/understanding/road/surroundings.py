@@ -132,8 +132,8 @@ def _lanes(found: Surroundings, terms: list[Term], k: int, tokens: list[Token]) 
     """``two lanes per direction``, ``a four-lane road``."""
     number = terms[k]
     noun = next((t for t in terms[k + 1 : k + 3] if t.cat == "place"), None)
-    if noun is None:
-        return
+    if noun is None or (number.i and tokens[number.i - 1].low == "lane"):
+        return  # "from lane 1 to lane 2"
     after = {t.low for t in tokens[noun.j : noun.j + 4]}
     each_way = noun.value == "lane" and bool(after & {"direction", "way"})
     if noun.value != "lane" and tokens[noun.i].low != "lane":

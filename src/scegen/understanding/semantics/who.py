@@ -129,12 +129,15 @@ def entity(word: str) -> EntityTest:
 
 
 def _owners_of(kind: str) -> Who:
-    return lambda clause, _: [
-        e
-        for p in clause.places()
-        if p.kind == kind and p.owner is not None
-        for e in p.owner.entities
-    ]
+    """Whose it is that is named; the oncoming lane is that of those who come towards the ego."""
+
+    def owners(clause: Clause, context: Context) -> list[Entity]:
+        named = [p for p in clause.places() if p.kind == kind]
+        other = any("opposite" in p.dirs for p in named)
+        theirs = [e for e in context.draft.entities if other and context.oncoming(e)]
+        return [e for p in named if p.owner is not None for e in p.owner.entities] or theirs
+
+    return owners
 
 
 def _in_the_way(clause: Clause, context: Context) -> list[Entity]:
