@@ -117,7 +117,6 @@ class Entity:
     """It has passed before what is told with it."""
     was_parked: Basis | None = None
     sides: set[str] = field(default_factory=set)
-    opposed: set[int] = field(default_factory=set)
     name: str = ""
 
     @property

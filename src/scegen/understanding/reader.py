@@ -22,7 +22,6 @@ from scegen.understanding.clauses.ellipsis import (
     said_of_one,
     who_comes,
 )
-from scegen.understanding.clauses.located import whole_for_part
 from scegen.understanding.clauses.respectively import share_out
 from scegen.understanding.draft import Draft
 from scegen.understanding.frames import Numbers
@@ -43,6 +42,7 @@ from scegen.understanding.phrases.telegrams import spell_out
 from scegen.understanding.phrases.which_road import name_roads
 from scegen.understanding.reference.discourse import Discourse
 from scegen.understanding.reference.generic import answer, deny_of_everybody
+from scegen.understanding.reference.own_vehicles import whole_for_part
 from scegen.understanding.reference.resolving import resolve_mentions
 from scegen.understanding.road.each_arm import count_arms, share_arms
 from scegen.understanding.road.junctions import JunctionReading, read_junction
@@ -66,7 +66,7 @@ _PUT_RIGHT: tuple[tuple[set[str], Callable[[list[Chunk], list[Token]], list[Chun
     ({"lane", "lanes", "ramp", "one"}, lanes_meant),
     ({"behind", "between", "by"}, lambda chunks, _: name_hiders(chunks)),
     (set(), name_roads),
-    ({"flank"}, whole_for_part),
+    ({"ahead", "behind"}, whole_for_part),
     ({"turn", "sharp_turn"}, name_turned_into),
     ({"which", "whom"}, which_is_it),
     ({"including", "included", "among", "amongst"}, counted_in),

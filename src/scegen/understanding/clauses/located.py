@@ -4,17 +4,7 @@ from __future__ import annotations
 
 from typing import TypeGuard
 
-from scegen.understanding.chunks import (
-    Chunk,
-    Event,
-    Mention,
-    NounPhrase,
-    Place,
-    Prep,
-    Thing,
-    Word,
-    teller_at,
-)
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import (
     GOVERNING,
@@ -25,31 +15,6 @@ from scegen.understanding.phrases.lookahead import (
     sentence_end,
     value_at,
 )
-
-_ENDS = frozenset({"ahead", "behind"})
-
-
-def landmark(target: NounPhrase | Event | None) -> NounPhrase | Event | None:
-    """``beside the ego's shoulder``: beside the ego, as far as others are concerned."""
-    beside = isinstance(target, Place) and target.kind == "shoulder"
-    owner = target.owner if isinstance(target, Thing | Place) else None
-    return owner if owner is not None and (beside or isinstance(target, Thing)) else target
-
-
-def whole_for_part(chunks: list[Chunk], _: object) -> list[Chunk]:
-    """``right in front of our bumper``, ``ahead of the ego's bonnet``: in front of the vehicle."""
-    found: list[Chunk] = []
-    for part in chunks:
-        own = part.mod("possessive") if isinstance(part, Place) and part.kind == "flank" else None
-        owner = part.owner if isinstance(part, Place) and part.kind == "flank" else None
-        if owner is not None and found[-1:] == [owner] and value_at(found, len(found) - 2) in _ENDS:
-            owner.possessor = False
-        elif own is not None and value_at(found, len(found) - 1) in _ENDS:
-            it = Mention(part.i, part.j, [], own, pronoun="it")
-            found.append(teller_at(part.i) if own.value == "first_person" else it)
-        else:
-            found.append(part)
-    return found
 
 
 def is_it(noun: object) -> TypeGuard[Mention]:

@@ -33,7 +33,6 @@ from scegen.understanding.reference.mention_words import (
 )
 from scegen.understanding.reference.pronouns import of_pronoun, picked
 from scegen.understanding.reference.roster import Group, Roster, opened, vehicle_around
-from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.tokens import Token
 
 _MOST = 20
@@ -90,12 +89,12 @@ class Discourse:
             if mention.pronoun is not None:
                 self._roster.spoken_of(mention.entities, subject=subject, settled=settled)
             return mention.entities
-        if refers_to_nobody(mention) or self._a_measure(mention) or self._their_own_queue(mention):
+        if refers_to_nobody(mention) or self._their_own_queue(mention):
             return []
         located = any(p.word.cat == "locus" and is_pronoun(p.target) for p in mention.pps)
         if (located and not is_it(mention)) or mention.besides:
             exclude = [*exclude, *self._roster.subject]  # "the car behind it" is not "it"
-        if two := self._of_two(mention, exclude) or self._at_the_wheel(mention):
+        if two := self._of_two(mention, exclude):
             found = two
         elif mention.pronoun is not None:
             found = self._we(mention, exclude) or of_pronoun(self._roster, mention, exclude, near)
@@ -140,13 +139,6 @@ class Discourse:
         meant = here if words in word_list("two_of_them") else meant
         return list(meant) if len(meant) == _A_PAIR else []
 
-    def _at_the_wheel(self, mention: Mention) -> list[Entity]:
-        """``the ego's driver``: the ego."""
-        owner, head = mention.owner, mention.head
-        if owner is None or head is None or head.value != "driver":
-            return []
-        return list(owner.entities)
-
     def _share(self, mention: Mention, whole: list[Entity]) -> list[Entity]:
         """``half of them``: so many, no matter which; ``some of them`` says not how many."""
         words = [*mention.mods, *([mention.head] if mention.head is not None else [])]
@@ -166,12 +158,6 @@ class Discourse:
         within = mention.stands_after("in") and several and not mention.dirs
         end = mention.stands_after("of") and bool(self._roster.groups)
         return mention.is_mass and (within or end)
-
-    def _a_measure(self, mention: Mention) -> bool:
-        """``and one of 12 m/s``."""
-        of = [t.low for t in self.tokens[mention.j : mention.j + 2]]
-        bare = mention.j - mention.i == 1 and of[:1] == ["of"] and len(of) > 1
-        return bare and quantity_at(self.tokens, mention.j + 1) is not None
 
     def _we(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
         """``three of us``: the ego and two more; ``the two of us``: it and who was told of."""
