@@ -253,10 +253,11 @@ class Builder:
 
     def _unsupported(self) -> tuple[Unsupported, ...]:
         found = []
-        for note in sorted(self.draft.notes, key=lambda n: (n.i, n.j)):
-            start, end = self.proofs.span(note.i, note.j)
+        notes = sorted(self.draft.notes, key=lambda n: (n.i, n.j))
+        for i, j, instead in dict.fromkeys((n.i, n.j, n.instead) for n in notes):
+            start, end = self.proofs.span(i, j)
             text = self.draft.text[start:end]
-            found.append(Unsupported(text=text, start=start, end=end, instead=note.instead))
+            found.append(Unsupported(text=text, start=start, end=end, instead=instead))
         return tuple(found)
 
 

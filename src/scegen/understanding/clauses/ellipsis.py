@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import takewhile
 
 from scegen.scenario.acts import ActKind
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Word
@@ -112,20 +113,26 @@ def _in_turn(event: Event, tokens: list[Token]) -> bool:
 
 
 def _denied(chunks: list[Chunk], events: list[Event]) -> list[Event]:
-    """``has to yield but does not``: the verb before, denied."""
+    """``has to yield but does not``, ``… but the car behind does not``: the verb before, denied."""
     found = []
     for k, chunk in enumerate(chunks[1:], start=1):
         if not isinstance(chunk, Word) or chunk.cat != "neg":
             continue
-        who, helper, after = (chunk_at(chunks, k + n) for n in (-2, -1, 1))
+        helper, after = chunk_at(chunks, k - 1), chunk_at(chunks, k + 1)
         does = isinstance(helper, Word) and (helper.cat, helper.value) == ("aux", "do")
-        ends = after is None or (isinstance(after, Word) and after.value in _JOINTS | BOUNDARIES)
         verb = _verb_before(chunks[k - 1].i, events)
-        if does and ends and verb is not None:
-            subject = [who] if isinstance(who, Mention) and who.prep is None else verb.subject
+        if does and (after is None or _parts(after)) and verb is not None:
+            clause = takewhile(lambda c: not _parts(c), reversed(chunks[: k - 1]))
+            named = [c for c in clause if isinstance(c, Mention) and c.prep is None]
+            subject = named[-1:] or verb.subject
             again = _again(verb, subject, chunks[k - 1].i, chunk.j)
             found.append(replace(again, negated=True, modal=False, pps=[], mods=[]))
     return found
+
+
+def _parts(chunk: Chunk) -> bool:
+    """Whether a clause ends, or another begins, there."""
+    return isinstance(chunk, Word) and chunk.value in _JOINTS | BOUNDARIES
 
 
 def _verb_before(i: int, events: list[Event]) -> Event | None:
