@@ -140,7 +140,7 @@ def test_both_sides_of_the_ego_are_the_lanes_beside():
     ("text", "expected"),
     [
         ("V1's front struck the back of V2, which was slowing.", [("car", {"ahead"})]),
-        ("The front of V2 hit the rear of V1. V1 was a van.", [("van", {"ahead"})]),
+        ("The front of V2 hit the rear of V1. V1 was a van.", [("car", {"behind"})]),
         ("V1 was northbound in lane one of a motorway. V2 was northbound in lane two and changed "
          "lanes. V2's right side contacted V1's left side.", [("car", {"adjacent"})]),
     ],

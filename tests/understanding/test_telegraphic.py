@@ -212,7 +212,7 @@ def test_who_sets_off_is_parked_and_pulls_out(text, side):
 
 def test_vehicles_side_by_side():
     text = "Vehicle A and vehicle B travel side by side; vehicle A drifts into B's lane."
-    assert [set(p.approaches) for p in read(text).participants] == [{Approach.ADJACENT}, set()]
+    assert [set(p.approaches) for p in read(text).participants] == [set(), {Approach.ADJACENT}]
 
 
 def test_who_goes_after_another():

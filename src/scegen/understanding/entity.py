@@ -96,7 +96,6 @@ class Entity:
     pulls_out: bool = False
     was_parked: Basis | None = None
     sides: set[str] = field(default_factory=set)
-    opposed: set[int] = field(default_factory=set)
     name: str = ""
 
     @property

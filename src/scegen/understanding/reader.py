@@ -39,6 +39,7 @@ from scegen.understanding.phrases.road_turned_into import name_turned_into
 from scegen.understanding.phrases.telegrams import spell_out
 from scegen.understanding.phrases.which_road import name_roads
 from scegen.understanding.reference.generic import answer, deny_of_everybody
+from scegen.understanding.reference.own_vehicles import whole_for_part
 from scegen.understanding.reference.resolving import resolve_mentions
 from scegen.understanding.reference.roster import Roster
 from scegen.understanding.road.each_arm import count_arms, share_arms
@@ -61,6 +62,7 @@ _PUT_RIGHT: tuple[tuple[set[str], Callable[[list[Chunk], list[Token]], list[Chun
     ({"lane", "lanes", "ramp", "one"}, lanes_meant),
     ({"behind", "between", "by"}, lambda chunks, _: name_hiders(chunks)),
     (set(), name_roads),
+    ({"ahead", "behind"}, whole_for_part),
     ({"turn", "sharp_turn"}, name_turned_into),
     ({"which", "whom"}, which_is_it),
     ({"including", "included", "among", "amongst"}, counted_in),

@@ -9,7 +9,8 @@ from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 
 _ALONG = frozenset({Approach.AHEAD, Approach.BEHIND, Approach.OPPOSITE})
-_SIDEWAYS = _ALONG | {Approach.LEFT, Approach.RIGHT}
+_SIDES = frozenset({Approach.LEFT, Approach.RIGHT})
+_SIDEWAYS = _ALONG | _SIDES
 """A single vehicle "from the left" is seen by somebody; of two, each may see the other."""
 _ENDANGERS = frozenset({HazardKind.CUT_IN, HazardKind.HARD_BRAKING, HazardKind.STOPPING,
                         HazardKind.ONCOMING_LANE, HazardKind.REVERSING})  # fmt: skip
@@ -43,7 +44,7 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
     if not candidates:
         return _added(draft, "the text names no moving vehicle; a car is added as the ego")
     last = next((e for e in candidates if draft.only(e, Approach.BEHIND)), None)
-    if last is not None and any(draft.only(e, Approach.AHEAD) for e in candidates):
+    if last is not None and any(draft.only(e, Approach.AHEAD) for e in vehicles):
         last.ego = True
         return last, Basis(reason="the text names no ego; this vehicle follows the other")
     walkers = any(not e.is_vehicle for e in draft.entities)
@@ -54,7 +55,8 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
     sides = sides | {Approach.ADJACENT} if len(candidates) == 1 == len(movers) else sides
     sides = frozenset() if met else sides  # "a car comes from behind": behind the jogger
     if all(_seen(draft, e, sides) for e in candidates):
-        return _numbered(draft, vehicles, candidates)
+        reason = "positions are given as seen from a vehicle that is not named; a car is added"
+        return _added(draft, reason)
     if alone and not crossing and _endangers_unnamed(draft):
         return _added(draft, "the only vehicle endangers another; a car is added as the ego")
     chosen, reason = _designate(draft, candidates)
@@ -82,17 +84,6 @@ def _put_in_a_bay(draft: Draft, ego: Entity) -> None:
     ego.strip = ego.strip or (Strip.PARKING, Basis(*ends[0]) if ends else stood)
 
 
-def _numbered(draft: Draft, vehicles: list[Entity], seen: list[Entity]) -> tuple[Entity, Basis]:
-    """``V1 stood there when V2 came from behind``: a car is added only if none has a number."""
-    parties = [e for e in vehicles if e.numbered]
-    here = [e for e in parties if e not in seen] or parties
-    if len(here) != 1:
-        reason = "positions are given as seen from a vehicle that is not named; a car is added"
-        return _added(draft, reason)
-    here[0].ego = True
-    return here[0], Basis(reason="the text names no ego; it numbers this vehicle")
-
-
 def _endangers_unnamed(draft: Draft) -> bool:
     """``a van comes the wrong way``, ``a taxi brakes hard``: a danger to whom nobody names."""
     caused = {d.kind for d in draft.dangers}
@@ -111,13 +102,17 @@ def _look_on(draft: Draft, teller: Entity) -> None:
 
 
 def _about(vehicles: list[Entity], draft: Draft) -> tuple[Entity, Basis] | None:
-    """Whom a text without an ego is about: its first word, or the party whose case it tells."""
+    """Whom a text without an ego is about: its first word, the party whose case it tells, V1."""
     told = next((e for e in vehicles if _told_of(e, draft)), None)
     if told is not None:
         return told, Basis(reason="the text names no ego; it is about this vehicle")
     party = next((e for name in _PARTIES for e in vehicles if name in e.labels), None)
     if party is not None:
         return party, Basis(reason="the text names no ego; it tells this party's case")
+    numbered = [e for e in vehicles if e.numbered and not _seen(draft, e, _SIDES)]
+    if numbered:
+        first = min(numbered, key=lambda e: sorted(e.labels))
+        return first, Basis(reason="the text names no ego; this vehicle has the first number")
     return None
 
 
@@ -161,8 +156,6 @@ def _seen(draft: Draft, entity: Entity, seen: frozenset[Approach]) -> bool:
 
 def _designate(draft: Draft, candidates: list[Entity]) -> tuple[Entity, str]:
     placed = [p.entity for p in draft.placements if p.reference is None]
-    # "a lorry would not let driver 1 in": who has a number is told of
-    candidates = [e for e in candidates if e.numbered] or candidates
     free = [e for e in candidates if e not in placed] or candidates
     facing = next((e for d in draft.dangers if (e := _facing_entry(d, free)) is not None), None)
     if facing is not None:

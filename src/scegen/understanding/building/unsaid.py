@@ -180,7 +180,7 @@ def _alike(draft: Draft, happenings: Happenings) -> list[list[Entity]]:
 def _signature(entity: Entity) -> tuple[object, ...]:
     """All that tells one from another beside the way that it takes."""
     basis: Basis = entity.basis
-    sets = (entity.approaches, entity.entries, entity.labels, entity.excluded, entity.opposed)
+    sets = (entity.approaches, entity.entries, entity.labels, entity.excluded)
     return (
         entity.kind, basis.i, basis.j, entity.parked, entity.heading, entity.speed,
         entity.stands, entity.beside, entity.told.get("circulates"), entity.crosses,

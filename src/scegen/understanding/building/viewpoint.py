@@ -55,7 +55,6 @@ def settle_positions(draft: Draft, ego: Entity) -> list[Placed]:
             continue  # "hidden behind two parked cars": no place along the road
         elif not any(r[0] is entity and r[1] is reference for r in relations):
             relations.append((entity, reference, set(approaches), placement.basis))
-    face_each_other(draft, ego)
     _against_the_ego(draft, ego)
     if ego.heading is not None:
         for entity in draft.entities:
@@ -182,13 +181,6 @@ def allow(entity: Entity, approaches: set[Approach], basis: Basis) -> None:
     entity.approaches = common or (entity.approaches | approaches)
     if entity.approach_basis is None or common:
         entity.approach_basis = basis
-
-
-def face_each_other(draft: Draft, ego: Entity) -> None:
-    """``from opposite directions``: each comes towards the others, the ego among them."""
-    for entity in draft.entities:
-        if entity is not ego and ego.index in entity.opposed:
-            allow(entity, {Approach.OPPOSITE}, entity.approach_basis or entity.basis)
 
 
 _SIDES = {Maneuver.LEFT: Approach.LEFT, Maneuver.RIGHT: Approach.RIGHT}

@@ -134,7 +134,9 @@ def joins(mention: Mention, state: State) -> bool:
     if complete or (state.between == {","} and not (waiting and _list_goes_on(state))):
         return False
     let = _let(anchor, state)
-    if not waiting and ((state.verb_follows and not let) or "," in state.between):
+    anew = is_it(anchor) and isinstance(state.at(1), Event)  # "blocks it and three cars waiting"
+    anew = anew or (state.verb_follows and not let)
+    if not waiting and (anew or "," in state.between):
         return False
     if _in_parallel(anchor, state):
         return False

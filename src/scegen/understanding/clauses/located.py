@@ -16,13 +16,6 @@ from scegen.understanding.phrases.lookahead import (
 )
 
 
-def landmark(target: NounPhrase | Event | None) -> NounPhrase | Event | None:
-    """``behind the ego's rear bumper``: behind the ego, as far as others are concerned."""
-    beside = isinstance(target, Place) and target.kind in {"shoulder", "flank"}
-    owner = target.owner if isinstance(target, Thing | Place) else None
-    return owner if owner is not None and (beside or isinstance(target, Thing)) else target
-
-
 def is_it(noun: object) -> TypeGuard[Mention]:
     """Whether a noun is "it" or "him"."""
     return isinstance(noun, Mention) and noun.pronoun in {"it", "him"}
@@ -82,7 +75,7 @@ def side_of_place(noun: NounPhrase, state: State) -> bool:
         arm = place.kind in _ARMS and place.stands_after(*_BY_ROAD) and place.owner is None
         arm = arm and bool({"left", "right"} & set(noun.dirs)) and noun.stands_after("in", "to")
         beside = arm or place.kind in _BESIDE_THE_ROAD or _lane_beside(place, noun, state)
-        if not beside:
+        if not beside or (noun.head is None and "opposite" in noun.dirs):  # "… direction"
             return False
         place.j = noun.j
     else:

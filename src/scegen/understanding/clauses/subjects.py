@@ -184,11 +184,11 @@ def _after_comma(event: Event, state: State) -> None:
     elif event.form == "s" and state.dependent and "aux:be" in state.between and state.events:
         event.subject = main_in_sentence(state)  # "brakes when the ego is 20 m away, swerves"
     elif who is not None and state.anchor in (who, *(p.target for p in who.pps)):
-        event.subject = _last_of(who, event)  # "when a van, turning left, fails to yield"
+        event.subject = _last_of(who, event, state)  # "when a van, turning left, fails to yield"
     elif beside is not None:
         event.subject = [beside]
     elif state.candidate is not None and (event.finite or not state.main):
-        event.subject = _last_of(state.candidate, event)
+        event.subject = _last_of(state.candidate, event, state)
     elif state.last is not None:
         event.subject = main_in_sentence(state)
         if not event.finite:  # what hangs on an obliged verb is no less obliged
@@ -271,8 +271,8 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
     elif done_to is not None and not event.finite and _by_doing(event, done_to, known, state):
         event.subject = done_to.subject
     else:
-        own = anchor is state.candidate
-        event.subject = chain(anchor) if own else _last_of(anchor, event)
+        own = anchor is state.candidate and not _one_of_them(state)
+        event.subject = chain(anchor) if own else _last_of(anchor, event, state)
 
 
 def _by_doing(event: Event, done_to: Event, told: bool, state: State) -> bool:
@@ -282,8 +282,13 @@ def _by_doing(event: Event, done_to: Event, told: bool, state: State) -> bool:
     return told and done_to.name not in _SHOWN
 
 
-def _last_of(noun: Mention, event: Event) -> list[Mention]:
-    """``passes the ego and a van driving on``, ``a bus on the left and a van braking``: the van."""
+def _last_of(noun: Mention, event: Event, state: State) -> list[Mention]:
+    """``passes the ego and a van driving on``, ``a bus and a van overtaking it``: the van."""
     listed = chain(noun)
-    apart = any(m.is_ego or m.pps for m in listed[:-1])
+    apart = _one_of_them(state) or any(m.is_ego or m.pps for m in listed[:-1])
     return [noun] if not event.finite and apart else listed
+
+
+def _one_of_them(state: State) -> bool:
+    """``a bus and a van overtaking it``: one of those who are listed, or some."""
+    return isinstance(whom := state.at(1), Mention) and whom.pronoun in {"it", "they"}

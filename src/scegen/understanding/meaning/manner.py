@@ -111,12 +111,10 @@ def told_with(clause: Clause, context: Context) -> None:
 
 def _meet_head_on(term: Term, clause: Clause, context: Context) -> None:
     """``a motorcycle approaches head-on``: who collides so has come from the front, too."""
-    if len(clause.drivers) > 1 and not clause.targets:
-        for entity in clause.drivers:
-            entity.opposed |= {e.index for e in clause.drivers} - {entity.index}
-        return  # "two trucks meet head-on"
-    for entity in clause.drivers if clause.event.name in _COMING else []:
-        to = next((e for e in clause.targets if e.moving_vehicle), None)
+    several = len(clause.drivers) > 1 and not clause.targets  # "two trucks meet head-on"
+    whom = clause.drivers[:1] if several else clause.targets
+    for entity in clause.drivers if several or clause.event.name in _COMING else []:
+        to = next((e for e in whom if e.moving_vehicle), None)
         context.draft.place(entity, to, {Approach.OPPOSITE}, Basis(term.i, term.j))
 
 

@@ -8,7 +8,6 @@ from itertools import combinations
 from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.clauses.dependents import chain
-from scegen.understanding.clauses.located import landmark
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
@@ -23,9 +22,12 @@ def adjectives(mention: Mention, context: Context) -> None:
     """``the oncoming car``, ``a northbound truck``."""
     approaches = adjective_approaches(mention.dirs)
     term = mention.mod("dir") or mention.head
-    for entity in mention.entities:
-        if approaches and term is not None:
-            context.draft.place(entity, None, set(approaches), Basis(term.i, term.j))
+    for entity in mention.entities if approaches else []:
+        basis = Basis(term.i, term.j) if term is not None else Basis()
+        opposing = context.draft.ego is None and context.lows(basis.i or 0, basis.j or 0)
+        pair = mention.plural and opposing == ["opposing"]  # "two opposing cars": each to the other
+        by = mention.entities[0] if pair else None
+        context.draft.place(entity, by, set(approaches), basis)
     for mod in mention.mods:
         if mod.cat == "compass":
             heading(mod, mention.entities)
@@ -43,7 +45,7 @@ def phrase(prep: Prep, entities: list[Entity], event: Event | None, context: Con
 
 
 def _locus(prep: Prep, entities: list[Entity], event: Event | None, context: Context) -> None:
-    target = landmark(prep.target)
+    target = prep.target
     basis = Basis(prep.word.i, target.j if isinstance(target, Mention) else prep.word.j)
     if isinstance(target, Thing | Place):
         return

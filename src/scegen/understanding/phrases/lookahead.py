@@ -131,7 +131,8 @@ def main_verb_follows(chunks: list[Chunk], k: int) -> bool:
     preposed = governed = False
     for chunk in chunks[k + 1 : k + _CLAUSE]:
         if isinstance(chunk, Event):
-            return governed and not chunk.nominal and chunk.form in {"s", "ed"}
+            close = chunk is chunks[k + 1] and chunk.form == "s"  # "the car overtaken speeds up"
+            return (governed or close) and not chunk.nominal and chunk.form in {"s", "ed"}
         if isinstance(chunk, Term):
             if chunk.cat in _LINKS or (chunk.cat == "punct" and chunk.value not in "()"):
                 return False

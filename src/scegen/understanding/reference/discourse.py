@@ -32,7 +32,6 @@ from scegen.understanding.reference.mention_words import (
 )
 from scegen.understanding.reference.pronouns import of_pronoun, picked
 from scegen.understanding.reference.roster import Group, Roster, opened, vehicle_around
-from scegen.understanding.words.quantities import quantity_at
 
 _MOST = 20
 _A_PAIR = 2
@@ -69,16 +68,12 @@ def resolve(
         if mention.pronoun is not None:
             roster.spoken_of(mention.entities, subject=subject, settled=settled)
         return mention.entities
-    if (
-        refers_to_nobody(mention)
-        or _a_measure(roster, mention)
-        or _their_own_queue(roster, mention)
-    ):
+    if refers_to_nobody(mention) or _their_own_queue(roster, mention):
         return []
     located = any(p.word.cat == "locus" and is_pronoun(p.target) for p in mention.pps)
     if (located and not is_it(mention)) or "besides" in mention.marks:
         exclude = [*exclude, *roster.subject]  # "the car behind it" is not "it"
-    if two := _of_two(roster, mention) or _at_the_wheel(mention):
+    if two := _of_two(roster, mention, exclude):
         found = two
     elif mention.pronoun is not None:
         found = _we(roster, mention, exclude) or of_pronoun(roster, mention, exclude, near)
@@ -110,27 +105,20 @@ def _as_somebody(mention: Mention) -> None:
             entity.named_by.add("somebody")
 
 
-def _of_two(roster: Roster, mention: Mention) -> list[Entity]:
+def _of_two(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Entity]:
     """``both vehicles``, ``the two``: of two who are known already, or of one and the ego."""
     first = mention.i - (mention.pronoun == "count")
     words = " ".join(t.low for t in roster.tokens[max(0, first) : mention.j])
     told = words in word_list("two_cars") | word_list("two_of_them")
     if (told or mention.pronoun == "both") and [e.ego for e in roster.entities] == [False]:
         the_ego(roster, ParticipantKind.CAR, Basis(mention.i, mention.j))
-    cars = [e for e in roster.entities if e.kind is ParticipantKind.CAR]  # besides a lorry
-    loosely = any(e.ego for e in roster.entities) and all(e.is_vehicle for e in roster.entities)
-    cars = roster.entities if loosely and len(cars) < _A_PAIR else cars  # the ego and a van
+    here = [e for e in roster.entities if e not in exclude]
+    cars = [e for e in here if e.kind is ParticipantKind.CAR]  # besides a lorry
+    loosely = any(e.ego for e in here) and all(e.is_vehicle for e in here)
+    cars = here if loosely and len(cars) < _A_PAIR else cars  # the ego and a van
     meant = cars if words in word_list("two_cars") else []
-    meant = roster.entities if words in word_list("two_of_them") else meant
+    meant = here if words in word_list("two_of_them") else meant
     return list(meant) if len(meant) == _A_PAIR else []
-
-
-def _at_the_wheel(mention: Mention) -> list[Entity]:
-    """``the ego's driver``: the ego."""
-    owner, head = mention.owner, mention.head
-    if owner is None or head is None or head.value != "driver":
-        return []
-    return list(owner.entities)
 
 
 def _share(roster: Roster, mention: Mention, whole: list[Entity]) -> list[Entity]:
@@ -153,13 +141,6 @@ def _their_own_queue(roster: Roster, mention: Mention) -> bool:
     within = mention.stands_after("in") and several and not mention.dirs
     end = mention.stands_after("of") and bool(roster.groups)
     return mention.is_mass and (within or end)
-
-
-def _a_measure(roster: Roster, mention: Mention) -> bool:
-    """``and one of 12 m/s``."""
-    of = [t.low for t in roster.tokens[mention.j : mention.j + 2]]
-    bare = mention.j - mention.i == 1 and of[:1] == ["of"] and len(of) > 1
-    return bare and quantity_at(roster.tokens, mention.j + 1) is not None
 
 
 def _we(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Entity]:

@@ -133,7 +133,7 @@ def _count(
     if "several" in head:
         return int(head["several"]), False, None
     if not plural:
-        return int(head.get("count", 1)), False, None  # "an old couple"
+        return 1, False, None
     if "mass" in head and "opposite" in mention.dirs:
         return 1, True, "no number is given; one of the oncoming traffic is enough"
     return DEFAULT_COUNT, True, f"no number is given; {DEFAULT_COUNT} are assumed"

@@ -1,12 +1,14 @@
-"""Whose car it is: people who stand for what they drive or come out of, and who tells it."""
+"""Whose car it is: people who stand for what they drive, parts for the whole, and who tells it."""
 
 from __future__ import annotations
 
 from itertools import pairwise
 
 from scegen.scenario.vocabulary import ParticipantKind
-from scegen.understanding.chunks import Chunk, Event, Mention, Place
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.phrases.doings_named import teller_at
+from scegen.understanding.phrases.lookahead import value_at
 from scegen.understanding.reference.mention_words import KINDS, mine, tells
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
@@ -17,7 +19,29 @@ ONLY_VEHICLES = frozenset(
      "door", "reverse"}
 )  # fmt: skip
 _BY_TRADE = frozenset({"bus", "truck", "van", "car", "emergency_vehicle", "motorcycle", "bicycle"})
+_ENDS = frozenset({"ahead", "behind"})
 _DRIVEN = ONLY_VEHICLES | {"reverse", "move", "turn", "stop", "speed", "lose_control"}
+
+
+def whole_for_part(chunks: list[Chunk], _: object) -> list[Chunk]:
+    """``in front of our bumper``, ``behind the van's trailer``: in front of us, behind the van."""
+    found: list[Chunk] = []
+    for k, part in enumerate(chunks):
+        flank = isinstance(part, Place) and part.kind == "flank"
+        owner = part.owner if isinstance(part, Place | Thing) else None
+        own = part.mod("possessive") if isinstance(part, Place) and flank else None
+        if own is not None and value_at(chunks, k - 1) in _ENDS:
+            it = Mention(part.i, part.j, [], own, pronoun="it")
+            found.append(teller_at(part.i) if own.value == "first_person" else it)
+        elif (
+            owner is not None
+            and value_at(chunks, k - 2) in _ENDS
+            and (flank or isinstance(part, Thing))
+        ):
+            owner.possessor = False
+        else:
+            found.append(part)
+    return found
 
 
 def stand_for_vehicles(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
@@ -47,11 +71,13 @@ def _own_vehicles(events: list[Event]) -> None:
 
 
 def _vehicles_of_parties(chunks: list[Chunk]) -> None:
-    """``the insured's van``, ``driver 2's car``: its owner stands for it."""
+    """``the insured's van``, ``driver 2's car``, ``the ego's driver``: the owner stands for it."""
     for chunk in chunks:
         owner = chunk.owner if isinstance(chunk, Mention) else None
-        drives = owner is not None and any("driver" in h.data for h in owner.heads)
-        if drives and isinstance(chunk, Mention) and chunk.heads and not is_somebody(chunk):
+        if not isinstance(chunk, Mention) or owner is None or not chunk.heads:
+            continue
+        drives = any("driver" in h.data for h in owner.heads) and not is_somebody(chunk)
+        if drives or chunk.noun == "driver":
             chunk.same_as = owner
 
 

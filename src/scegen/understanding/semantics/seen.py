@@ -68,12 +68,11 @@ def seen(entity: Entity, site: Site) -> None:
         _in_the_egos_lane(entity, site)
         return
     plural = any(
-        t.form == "s" for t in (place.head, *place.mods) if t and t.cat in {"place", "dir"}
+        t.form == "s" for t in (place.head, *place.mods) if t and t.cat in {"place", "dir", "leg"}
     )
     together = [e for e in site.clause.actors if e is not entity]
     if approaches == BY_DIR["opposite"] and plural and together:  # "from opposite directions"
-        entity.opposed |= {e.index for e in together}
-        entity.approach_basis = site.basis
+        draft.place(entity, site.clause.actors[0], set(approaches), site.basis)
         return
     if approaches == BY_DIR["same"]:
         approaches = _where_another_came_from(entity, site) or approaches

@@ -193,7 +193,7 @@ def _relates(match: Match, tokens: list[Token], previous: Term) -> bool:
     if previous.value == ")":  # "a van (40 km/h) that changes lanes"
         return verbal or not begins(tokens, match.j, "actor", "place", "thing", "inert", "num")
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])  # "there that blocks"
-    sided = adverb or previous.cat in {"dir", "compass", "quantity"}
+    sided = adverb or previous.cat in {"dir", "compass", "quantity", "locus"}
     if previous.value == ",":  # "a van, also at 80 km/h, that brakes"
         sided = after is not None and after.has("verb")
     return sided and verbal and not begins(tokens, match.j, "actor", "place")

@@ -89,7 +89,8 @@ def name_letters(terms: list[Term], tokens: list[Token]) -> list[Term]:
     A letter counts where its neighbour in the alphabet stands for somebody, too; in talk ("A: What
     happened? B: I braked.") it only tells who speaks, and is left out.
     """
-    if not word_list("first_person").isdisjoint(t.low for t in tokens):
+    talk = word_list("first_person") | word_list("relevance_first_person")
+    if not talk.isdisjoint(t.low for t in tokens):
         told = {
             k for k, t in enumerate(terms) if _is_letter(t, tokens) and low_at(tokens, t.j) == ":"
         }

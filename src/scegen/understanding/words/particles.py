@@ -92,7 +92,7 @@ def after_a_phrase(token: Token, previous: Term, tokens: list[Token]) -> bool:
         return False
     k = tokens.index(token)
     sided = previous.cat == "dir" and previous.value in {"left", "right"}
-    sided = sided and low_at(tokens, k - 2) == "the"
+    sided = sided and low_at(tokens, k - 2) in word_list("its")
     after = low_at(tokens, k + 1)
     governs = begins(tokens, k + 1, "det", "possessive") or after in {
         "to",

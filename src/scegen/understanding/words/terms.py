@@ -170,7 +170,7 @@ def noun_follows(tokens: list[Token], j: int) -> bool:
             return not _needs_no_article(following, tokens)
         if not following.has("state", "label", "dir", "manner", "verb") or following.has("prep"):
             return following.has("view")
-        if following.has("verb") and following.form not in {"ing", "ed"}:
+        if following.only("verb") and following.form not in {"ing", "ed"}:
             return False
         j = following.j
     return False
