@@ -153,7 +153,7 @@ def read(text: str) -> FunctionalScenario:
     read_calls(terms, draft)
     report(draft, terms, chunks, crossing=junction.crossing)
     scenario = Builder(draft, ego, happenings, junction, surroundings, lengthwise).build()
-    return undone(unattached(scenario, terms, tokens), events, tokens)
+    return undone(unattached(scenario, terms, events, tokens), events, tokens)
 
 
 def _arms(junction: JunctionReading) -> int:

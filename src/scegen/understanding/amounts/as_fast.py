@@ -21,9 +21,10 @@ def as_fast(text: Telling) -> None:
 
 
 def _give(whom: list[Entity], model: Entity, words: Basis, reason: str) -> None:
-    """Those of whom no speed is said, and who move, are as fast as another."""
+    """Those of whom no speed is said, and who move, are as fast as another of their sort."""
     for entity in whom:
-        if entity.speed is None and entity.is_vehicle and not entity.still:
+        alike = entity.is_vehicle == model.is_vehicle
+        if entity.speed is None and alike and not entity.still:
             entity.speed, entity.speed_basis = model.speed, words.because(reason)
 
 
@@ -49,8 +50,10 @@ def _alike(text: Telling) -> None:
     """``equally fast``, ``at the same speed``: as fast as the other, or as who is told of."""
     span = text.find("alike", 0, len(text.tokens))
     if span is not None:
-        named = text.spoken_of(*text.bounds(span[0]))
-        who = list(dict.fromkeys(e for e in reversed(named) if not e.parked))
+        begin, end = text.bounds(span[0])
+        near, after = text.spoken_of(begin, span[0])[::-1], text.spoken_of(span[1], end)
+        named = after + near if text.tokens[span[1] - 1].low == "as" else near + after
+        who = list(dict.fromkeys(e for e in named if not e.parked))
         before = reversed(text.spoken_of(0, span[0]))
         known = [e for e in (*who, *before) if e.speed is not None]
         for model in known[:1]:

@@ -4,25 +4,30 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scegen.scenario.vocabulary import Approach
+from scegen.scenario.vocabulary import Approach, ParticipantKind
 from scegen.understanding.chunks import Event, Mention, Place, Prep, Thing
 from scegen.understanding.clauses.located import landmark
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.semantics.approaches import INVERSE, adjective_approaches
+from scegen.understanding.semantics.approaches import INVERSE, SIDES, adjective_approaches
 from scegen.understanding.semantics.conditions import holds
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.rows import say
 from scegen.understanding.words.terms import Term
 
+_FROM_THE_KERB = frozenset({ParticipantKind.PEDESTRIAN, ParticipantKind.BICYCLE})
+
 
 def adjectives(mention: Mention, context: Context) -> None:
-    """``the oncoming car``, ``a northbound truck``."""
+    """``the oncoming car``, ``a northbound truck``, ``a nearside pedestrian``."""
     approaches = adjective_approaches(mention.dirs)
     term = mention.mod("dir") or mention.head
+    first = term is not None and mention.head is not None and term.i < mention.head.i
+    sides = {SIDES[d] for d in mention.dirs if first and d in SIDES}
     for entity in mention.entities:
-        if approaches and term is not None:
-            context.draft.place(entity, None, set(approaches), Basis(term.i, term.j))
+        seen = approaches or (sides if entity.kind in _FROM_THE_KERB else set())
+        if seen and term is not None:
+            context.draft.place(entity, None, set(seen), Basis(term.i, term.j))
     for mod in mention.mods:
         if mod.cat == "compass":
             heading(mod, mention.entities)

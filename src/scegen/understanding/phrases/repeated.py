@@ -13,7 +13,7 @@ from scegen.understanding.words.tokens import Token
 
 _SIDED = frozenset({"side", "direction"})
 _SIDES = frozenset({"left", "right", "opposite"})
-_CROSSED = frozenset({"crosswalk", "road", "junction"})
+_CROSSED = frozenset({"crosswalk", "road", "access", "junction"})
 _WHICH = frozenset({"which", "whom"})
 _ROADS, _OUT_OF = frozenset({"access", "road", "leg"}), frozenset({"of", "from"})
 _COME_FROM = frozenset({"lane", "leg", "road", "access", "side"})

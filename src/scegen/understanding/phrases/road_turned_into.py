@@ -15,7 +15,7 @@ from scegen.understanding.phrases.which_road import turns
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
-_ROADS = frozenset({"road", "access", "leg", "highway"})
+_ROADS = frozenset({"road", "access", "leg", "exit", "highway"})
 _ON_FOOT = frozenset({"cross", "walk"})
 
 
