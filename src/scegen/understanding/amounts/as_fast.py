@@ -28,6 +28,13 @@ def _give(whom: list[Entity], model: Entity, words: Basis, reason: str) -> None:
             entity.speed, entity.speed_basis = model.speed, words.because(reason)
 
 
+def _share(pair: list[Entity], words: Basis, reason: str) -> None:
+    """The one of two of whom no speed is said is as fast as the other."""
+    known = [e for e in pair if e.speed is not None]
+    if len(known) == 1:
+        _give(pair, known[0], known[0].speed_basis or words, reason)
+
+
 def _until_alike(text: Telling) -> None:
     """``slows down to the speed of the lorry``, ``brakes to match it``: as fast in the end."""
     for doing in text.acts(0, len(text.tokens), CHANGING):
@@ -68,10 +75,8 @@ def _followed(text: Telling) -> None:
         follows = scene.event.name in {"follow", "tailgate"}
         if not follows or len(pair) != _PAIR or scene.event.negated:
             continue
-        known = [e for e in pair if e.speed is not None]
-        if len(known) == 1 and not any(e in slow or e.still or not e.is_vehicle for e in pair):
-            words = known[0].speed_basis or scene.words
-            _give(pair, known[0], words, "who follows drives as fast as the other")
+        if not any(e in slow or e.still or not e.is_vehicle for e in pair):
+            _share(pair, scene.words, "who follows drives as fast as the other")
 
 
 def _in_one_lane(text: Telling) -> None:
@@ -97,7 +102,4 @@ def kept_apart(text: Telling) -> None:
         if not isinstance(apart.at, Doing) or apart.at.kind not in {ActKind.BRAKE, ActKind.STOP}:
             continue
         pair = [e for e in (apart.entity, apart.reference) if isinstance(e, Entity)]
-        known = [e for e in pair if e.speed is not None]
-        if len(known) == 1:
-            words = known[0].speed_basis or apart.amount.basis
-            _give(pair, known[0], words, "until it brakes, the distance is kept")
+        _share(pair, apart.amount.basis, "until it brakes, the distance is kept")
