@@ -11,7 +11,7 @@ from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.roadway import BAYS
 from scegen.scenario.signals import AtLight
 from scegen.scenario.vocabulary import Approach, Control, Maneuver, Role
-from scegen.understanding.chunks import Event, Word
+from scegen.understanding.chunks import Event
 from scegen.understanding.frames import acts, always_acts
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.terms import Term
@@ -85,7 +85,7 @@ def unattached(
     return with_remarks(scenario, found)
 
 
-def _met(events: list[Event], scenario: FunctionalScenario) -> Iterator[Word]:
+def _met(events: list[Event], scenario: FunctionalScenario) -> Iterator[Term]:
     """``crosses in front of it``, ``comes up from behind``: where one is met, as fields say."""
     named = {p.id: p for p in scenario.participants}
     backs = {act.participant for act in scenario.acts if act.kind is ActKind.REVERSE}
