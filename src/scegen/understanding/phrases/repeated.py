@@ -70,10 +70,11 @@ def which_is_it(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             opens -= 1
         locus = any(c.cat == "locus" for c in found[opens:])
         its = tokens[chunk.i].low in _WHICH and isinstance(chunk_at(chunks, k + 1), Mention)
+        led = value_at(found, len(found) - 1)  # "from which"; "across which", of one turned into
         it: Chunk | None = None
         if its and locus and known is not None and value_at(found, opens - 1) == ",":
             it = Mention(chunk.i, chunk.j, [], None, pronoun="it", same_as=known)
-        elif its and place is not None and value_at(found, len(found) - 1) in _led(place):
+        elif its and place is not None and (led == "from" or (place.arm and led == "in")):
             it = replace(place, i=chunk.i, j=chunk.j)
         if it is not None:
             at = found[opens].i
@@ -92,11 +93,6 @@ def which_is_it(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             found.append(replace(crossed, i=chunk.j, j=chunk.j))
             crossed = None
     return found
-
-
-def _led(place: Place) -> set[str]:
-    """With which words ``which`` is a place: "from which", "across which" of one turned into."""
-    return {"from"} if place.arm is None else {"from", "in"}
 
 
 def _crossed_there(chunks: list[Chunk], k: int, road: Place) -> bool:
