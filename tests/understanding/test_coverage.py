@@ -29,6 +29,9 @@ def test_what_fills_no_field_is_reported(text, word):
         "A van coming from the right of the ego suddenly brakes.",
         "Vehicle 1 was northbound. Vehicle 2 was westbound.",
         "A van drives at 50 km/h at night.",
+        "A girl comes from the left and walks across in front of the ego.",
+        "Backing up at 4 km/h, the ego stops for a man who walks across behind it from the left.",
+        "A cyclist rides ahead at 14 km/h and the ego comes up from behind at 55 km/h.",
     ],
 )
 def test_what_fills_a_field_is_not_reported(text):

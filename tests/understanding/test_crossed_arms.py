@@ -27,6 +27,12 @@ def walker(text):
         ("The ego turns right. A child crosses the road it is leaving, from the left.", "entry"),
         ("The ego turns left. A cyclist crosses the road it is about to enter.", "exit"),
         ("The ego turns left and hits a man on the crosswalk of the road it turns into.", "exit"),
+        ("We turn right into a side road and a cyclist rides across its mouth.", "exit"),
+        ("The ego turns left into a driveway and hits a woman crossing it from the right.", "exit"),
+        ("The ego turns right and stops for a man on the crosswalk of the exit.", "exit"),
+        ("The ego turns left into a street that is being crossed by a jogger.", "exit"),
+        ("We turn right into a side road across which a boy runs from the left.", "exit"),
+        ("The ego turns left. A woman crosses the road which is entered by the ego.", "exit"),
         ("The ego turns right. A child crosses the road from the left.", None),
     ],
 )

@@ -35,9 +35,8 @@ from scegen.understanding.phrases.listed import each_of, in_between, list_them
 from scegen.understanding.phrases.naming import counted_in, filmed_from, in_brackets, under_test
 from scegen.understanding.phrases.opening_doors import open_doors
 from scegen.understanding.phrases.repeated import lanes_meant, repeat, which_is_it
-from scegen.understanding.phrases.road_turned_into import name_turned_into
 from scegen.understanding.phrases.telegrams import spell_out
-from scegen.understanding.phrases.which_road import name_roads
+from scegen.understanding.phrases.which_road import name_roads, name_turned_into
 from scegen.understanding.reference.generic import answer, deny_of_everybody
 from scegen.understanding.reference.own_vehicles import whole_for_part
 from scegen.understanding.reference.resolving import resolve_mentions
@@ -64,7 +63,7 @@ _PUT_RIGHT: tuple[tuple[set[str], Callable[[list[Chunk], list[Token]], list[Chun
     (set(), name_roads),
     ({"ahead", "behind"}, whole_for_part),
     ({"turn", "sharp_turn"}, name_turned_into),
-    ({"which", "whom"}, which_is_it),
+    ({"which", "whom", "that", "where"}, which_is_it),
     ({"including", "included", "among", "amongst"}, counted_in),
     (set(), filmed_from),
     (set(), under_test),
@@ -150,7 +149,7 @@ def read(text: str) -> FunctionalScenario:
     read_calls(terms, draft)
     report(draft, terms, chunks, crossing=junction.crossing)
     scenario = Builder(draft, ego, happenings, junction, surroundings, lengthwise).build()
-    return undone(unattached(scenario, terms, tokens), events, tokens)
+    return undone(unattached(scenario, terms, events, tokens), events, tokens)
 
 
 def _arms(junction: JunctionReading) -> int:

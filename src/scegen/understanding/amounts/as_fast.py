@@ -21,10 +21,18 @@ def as_fast(text: Telling) -> None:
 
 
 def _give(whom: list[Entity], model: Entity, words: Basis, reason: str) -> None:
-    """Those of whom no speed is said, and who move, are as fast as another."""
+    """Those of whom no speed is said, and who move, are as fast as another of their sort."""
     for entity in whom:
-        if entity.speed is None and entity.is_vehicle and not entity.still:
+        alike = entity.is_vehicle == model.is_vehicle
+        if entity.speed is None and alike and not entity.still:
             entity.speed, entity.speed_basis = model.speed, words.because(reason)
+
+
+def _share(pair: list[Entity], words: Basis, reason: str) -> None:
+    """The one of two of whom no speed is said is as fast as the other."""
+    known = [e for e in pair if e.speed is not None]
+    if len(known) == 1:
+        _give(pair, known[0], known[0].speed_basis or words, reason)
 
 
 def _until_alike(text: Telling) -> None:
@@ -49,8 +57,10 @@ def _alike(text: Telling) -> None:
     """``equally fast``, ``at the same speed``: as fast as the other, or as who is told of."""
     span = text.find("alike", 0, len(text.tokens))
     if span is not None:
-        named = text.spoken_of(*text.bounds(span[0]))
-        who = list(dict.fromkeys(e for e in reversed(named) if not e.parked))
+        begin, end = text.bounds(span[0])
+        near, after = text.spoken_of(begin, span[0])[::-1], text.spoken_of(span[1], end)
+        named = after + near if text.tokens[span[1] - 1].low == "as" else near + after
+        who = list(dict.fromkeys(e for e in named if not e.parked))
         before = reversed(text.spoken_of(0, span[0]))
         known = [e for e in (*who, *before) if e.speed is not None]
         for model in known[:1]:
@@ -65,10 +75,8 @@ def _followed(text: Telling) -> None:
         follows = scene.event.name in {"follow", "tailgate"}
         if not follows or len(pair) != _PAIR or scene.event.negated:
             continue
-        known = [e for e in pair if e.speed is not None]
-        if len(known) == 1 and not any(e in slow or e.still or not e.is_vehicle for e in pair):
-            words = known[0].speed_basis or scene.words
-            _give(pair, known[0], words, "who follows drives as fast as the other")
+        if not any(e in slow or e.still or not e.is_vehicle for e in pair):
+            _share(pair, scene.words, "who follows drives as fast as the other")
 
 
 def _in_one_lane(text: Telling) -> None:
@@ -94,7 +102,4 @@ def kept_apart(text: Telling) -> None:
         if not isinstance(apart.at, Doing) or apart.at.kind not in {ActKind.BRAKE, ActKind.STOP}:
             continue
         pair = [e for e in (apart.entity, apart.reference) if isinstance(e, Entity)]
-        known = [e for e in pair if e.speed is not None]
-        if len(known) == 1:
-            words = known[0].speed_basis or apart.amount.basis
-            _give(pair, known[0], words, "until it brakes, the distance is kept")
+        _share(pair, apart.amount.basis, "until it brakes, the distance is kept")

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from scegen.scenario.acts import ActKind
 from scegen.scenario.evidence import Unsupported
 from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.roadway import BAYS
 from scegen.scenario.signals import AtLight
-from scegen.scenario.vocabulary import Approach, Control, Maneuver
+from scegen.scenario.vocabulary import Approach, Control, Maneuver, Role
 from scegen.understanding.chunks import Event
 from scegen.understanding.frames import acts, always_acts
 from scegen.understanding.lexicon import word_list
@@ -41,7 +43,7 @@ _MANY = 3
 
 
 def unattached(
-    scenario: FunctionalScenario, terms: list[Term], tokens: list[Token]
+    scenario: FunctionalScenario, terms: list[Term], events: list[Event], tokens: list[Token]
 ) -> FunctionalScenario:
     """Reports known words of manner, direction, state and measure on which nothing rests."""
     proved = [
@@ -52,6 +54,7 @@ def unattached(
     named = [(start, end) for _, start, end in proved]
     spans = [(start, end) for field, start, end in proved if not field.endswith(_WHO)]
     spans += [(u.start, u.end) for u in scenario.unsupported]
+    spans += [(tokens[t.i].start, tokens[t.j - 1].end) for t in _met(events, scenario)]
     told = [(start, end) for field, start, end in proved if field == "outcome.kind"]
     found = [  # "misses" denies no seeing
         u for u in scenario.unsupported if not any(a <= u.start < b for a, b in told)
@@ -80,6 +83,23 @@ def unattached(
         instead = _otherwise(term, scenario) or _INSTEAD[cat]
         found.append(Unsupported(text=text, start=start, end=end, instead=instead))
     return with_remarks(scenario, found)
+
+
+def _met(events: list[Event], scenario: FunctionalScenario) -> Iterator[Term]:
+    """``crosses in front of it``, ``comes up from behind``: where one is met, as fields say."""
+    named = {p.id: p for p in scenario.participants}
+    backs = {act.participant for act in scenario.acts if act.kind is ActKind.REVERSE}
+    follows = any(p.approaches == {Approach.AHEAD} for p in scenario.participants)
+    for event in events:
+        doers = [named[e.name] for m in event.subject for e in m.entities if e.name in named]
+        crosses = event.name == "cross" or any(Maneuver.CROSS in d.maneuvers for d in doers)
+        ours = follows and any(d.role is Role.EGO for d in doers)
+        for prep in (p for p in event.pps if p.word.cat == "locus"):
+            met = {e.name for e in prep.who.entities} if prep.who is not None else set()
+            faced = crosses and met and prep.value == ("behind" if met & backs else "ahead")
+            rear = (prep.outer, prep.value, prep.target) == ("from", "behind", None)
+            if faced or (ours and rear):
+                yield prep.word
 
 
 def with_remarks(scenario: FunctionalScenario, found: list[Unsupported]) -> FunctionalScenario:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import combinations
 
-from scegen.scenario.vocabulary import Approach
+from scegen.scenario.vocabulary import Approach, ParticipantKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.clauses.dependents import chain
 from scegen.understanding.draft import Draft
@@ -13,21 +13,26 @@ from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.conditions import holds
 from scegen.understanding.semantics.context import Clause, Context
-from scegen.understanding.semantics.lanes import INVERSE, adjective_approaches
+from scegen.understanding.semantics.lanes import INVERSE, SIDES, adjective_approaches
 from scegen.understanding.semantics.rows import say
 from scegen.understanding.words.terms import Term
 
+_FROM_THE_KERB = frozenset({ParticipantKind.PEDESTRIAN, ParticipantKind.BICYCLE})
+
 
 def adjectives(mention: Mention, context: Context) -> None:
-    """``the oncoming car``, ``a northbound truck``."""
+    """``the oncoming car``, ``a northbound truck``, ``a nearside pedestrian``."""
     approaches = adjective_approaches(mention.dirs)
     term = mention.mod("dir") or mention.head
-    for entity in mention.entities if approaches else []:
-        basis = Basis(term.i, term.j) if term is not None else Basis()
-        opposing = context.draft.ego is None and context.lows(basis.i or 0, basis.j or 0)
-        pair = mention.plural and opposing == ["opposing"]  # "two opposing cars": each to the other
-        by = mention.entities[0] if pair else None
-        context.draft.place(entity, by, set(approaches), basis)
+    first = term is not None and mention.head is not None and term.i < mention.head.i
+    sides = {SIDES[d] for d in mention.dirs if first and d in SIDES}
+    named = [context.tokens[term.i].low] if term is not None and context.draft.ego is None else []
+    pair = mention.plural and named == ["opposing"]  # "two opposing cars": each to the other
+    for entity in mention.entities:
+        seen = approaches or (sides if entity.kind in _FROM_THE_KERB else set())
+        if seen and term is not None:
+            by = mention.entities[0] if pair else None
+            context.draft.place(entity, by, set(seen), Basis(term.i, term.j))
     for mod in mention.mods:
         if mod.cat == "compass":
             heading(mod, mention.entities)

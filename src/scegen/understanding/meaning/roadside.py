@@ -50,13 +50,15 @@ def _in_the_way(thing: Thing, k: int, chunks: list[Chunk], draft: Draft) -> bool
         if before and not before[0].nominal and before[0].name in _FOR_IT | {"tow"}:
             return before[0].name != "tow"
     put = False
-    for chunk in chunks[k + 1 : k + _IN_THE_WAY]:
-        if isinstance(chunk, Place) and (put or chunk.kind == "middle"):
-            return chunk.kind in _CARRIAGEWAY
+    for m, chunk in enumerate(chunks[k + 1 : k + _IN_THE_WAY], k + 2):
+        if isinstance(chunk, Place) and put and chunk.kind in _CARRIAGEWAY:
+            return True
         if isinstance(chunk, Event):
             put = chunk.name == "block"
         elif chunk.cat == "prep":
             put = draft.tokens[chunk.i].low in word_list("upon") or chunk.value == "into"
+        elif chunk.cat == "conj" and isinstance(chunk_at(chunks, m), Event):
+            continue  # "stands at the kerb and juts into the lane"
         elif chunk.cat in _ENDS if isinstance(chunk, Term) else not put and chunk.prep is None:
             return False
     return False

@@ -166,14 +166,11 @@ def _of_kind(mention: Mention, kind: str) -> bool:
     return mention.noun == kind and not mention.label
 
 
-def _comes_again(mention: Mention, rest: list[Chunk], *, old: bool) -> bool:
-    """``Overtaking truck. … a lorry …``: whoever a title names is told of as somebody new.
-
-    In "Car-to-cyclist. The cyclist …" those of the title may be old.
-    """
+def _comes_again(mention: Mention, rest: list[Chunk]) -> bool:
+    """``Overtaking truck. … a lorry …``: whoever a title names is told of as somebody new."""
     kind = "" if mention.plural else mention.noun
     named = [c for c in rest if isinstance(c, Mention) and c.head is not None]
-    fresh = [c for c in named if old or _new(c)]
+    fresh = [c for c in named if _new(c)]
     generic = kind == "car" and any(c.is_ego or _of_kind(c, kind) for c in named)
     return generic or any(kind == "car" or _of_kind(c, kind) for c in fresh)
 
@@ -192,9 +189,8 @@ def _is_heading(title: list[Chunk], rest: list[Chunk], mark: str) -> bool:
         spoken = spoken or _names_ego(title)  # "Motorway, ego at 120 km/h: a van …"
     titled = [c for c in title if isinstance(c, Mention)]
     if mark != ":":
-        pair = len(titled) > 1 and any(c.value == "to" for c in title)
         sided = any(c.value in {"left", "right"} for c in title)
-        again = all(_comes_again(c, rest, old=pair) for c in titled) and not _names_ego(title)
+        again = all(_comes_again(c, rest) for c in titled) and not _names_ego(title)
         told = (again and not sided) or all(_is_for(c, title) for c in titled)
         if mark != "." or not titled or not told:
             return False

@@ -12,7 +12,7 @@ from scegen.understanding.words.tokens import Token
 
 _SIDED = frozenset({"side", "direction"})
 _SIDES = frozenset({"left", "right", "opposite"})
-_CROSSED = frozenset({"crosswalk", "road", "junction"})
+_CROSSED = frozenset({"crosswalk", "road", "access", "junction"})
 _WHICH = frozenset({"which", "whom"})
 _ROADS, _OUT_OF = frozenset({"access", "road", "leg"}), frozenset({"of", "from"})
 _COME_FROM = frozenset({"lane", "leg", "road", "access", "side"})
@@ -57,31 +57,51 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
 def which_is_it(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     """``a parked van, from behind which a boy runs``: "…, and from behind it a boy runs".
 
-    So is ``a side road from which a bus turns``.
+    So is ``a side road from which a bus turns``; ``into a road that a boy is crossing`` is
+    "into a road. A boy is crossing the road".
     """
     found: list[Chunk] = []
     known: Mention | None = None
     place: Place | None = None
+    crossed: Place | None = None
     for k, chunk in enumerate(chunks):
         opens = k
         while cat_at(found, opens - 1) in GOVERNING:
             opens -= 1
         locus = any(c.cat == "locus" for c in found[opens:])
         its = tokens[chunk.i].low in _WHICH and isinstance(chunk_at(chunks, k + 1), Mention)
+        led = value_at(found, len(found) - 1)  # "from which"; "across which", of one turned into
         it: Chunk | None = None
         if its and locus and known is not None and value_at(found, opens - 1) == ",":
             it = Mention(chunk.i, chunk.j, [], None, pronoun="it", same_as=known)
-        elif its and place is not None and value_at(found, len(found) - 1) == "from":
+        elif its and place is not None and (led == "from" or (place.arm and led == "in")):
             it = replace(place, i=chunk.i, j=chunk.j)
         if it is not None:
             at = found[opens].i
             joint = [Term("punct", ",", at, at), Term("conj", "and", at, at)]
             found[opens:] = [*joint, *found[opens:], it]
             continue
+        if place is not None and _crossed_there(chunks, k, place):
+            found.append(Term("punct", ".", chunk.i, chunk.i))
+            crossed = place if isinstance(chunk_at(chunks, k + 1), Mention) else None
+            found += [] if crossed is place else [replace(place, i=chunk.i, j=chunk.j)]
+            continue
         known = chunk if isinstance(chunk, Mention) else known
         place = chunk if isinstance(chunk, Place) else None if chunk is known else place
         found.append(chunk)
+        if crossed is not None and isinstance(chunk, Event):
+            found.append(replace(crossed, i=chunk.j, j=chunk.j))
+            crossed = None
     return found
+
+
+def _crossed_there(chunks: list[Chunk], k: int, road: Place) -> bool:
+    """``turns into a road that a boy crosses``, ``…, where a boy crosses``."""
+    rel = cat_at(chunks, k) == "rel" or value_at(chunks, k) == "where"
+    right_behind = road in (chunk_at(chunks, k - 1), chunk_at(chunks, k - 2))
+    verb = next((c for c in chunks[k + 1 :] if isinstance(c, Event)), None)
+    crosses = verb is not None and verb.name in {"cross", "walk"}
+    return rel and right_behind and road.arm is not None and crosses
 
 
 def _remember(chunk: Place, last: dict[str, Place], tokens: list[Token]) -> None:

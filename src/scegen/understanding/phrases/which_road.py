@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.vocabulary import CrossedArm
 from scegen.understanding.chunks import Chunk, Event, Mention, Place
-from scegen.understanding.lexicon import word_lists
+from scegen.understanding.lexicon import word_list, word_lists
 from scegen.understanding.phrases.lookahead import cat_at, chunk_at, ends, value_at
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token, low_at
@@ -103,9 +103,13 @@ def _preposed(chunks: list[Chunk], m: int) -> bool:
 
 
 def _does(chunks: list[Chunk], m: int) -> tuple[Event, int] | None:
-    """Somebody and its verb: the verb, and what comes after it."""
+    """Somebody and its verb, or a verb and by whom: the verb, and what comes after it."""
     if not isinstance(chunk_at(chunks, m), Mention):
-        return None
+        while cat_at(chunks, m) == "aux":
+            m += 1
+        done, by = chunk_at(chunks, m), isinstance(chunk_at(chunks, m + 2), Mention)
+        by = by and value_at(chunks, m + 1) == "by"  # "(the road) being entered by the ego"
+        return (done, m + 3) if by and isinstance(done, Event) and done.form == "ed" else None
     m += 1
     while cat_at(chunks, m) in _ON_THE_WAY:
         m += 1
@@ -225,3 +229,41 @@ def _seen(chunks: list[Chunk], k: int, tokens: list[Token]) -> int | None:
         return None
     m = clause[1]
     return _end_of_turn(chunks, m + isinstance(chunk_at(chunks, m), Mention))
+
+
+def name_turned_into(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
+    """The chunks; a road that is told by the turn into it is an arm, wherever it is told of."""
+    turn = next((k for k, c in enumerate(chunks) if turns(c)), None)
+    begin = 0
+    for k, chunk in enumerate(chunks if turn is not None else []):
+        if isinstance(chunk, Place) and chunk.kind in _ROADS and chunk.arm is None:
+            before = chunk_at(chunks, k - 1)
+            verb = next((c for c in reversed(chunks[begin:k]) if isinstance(c, Event)), None)
+            onto = isinstance(before, Term) and low_at(tokens, before.i) in {"into", "onto"}
+            done = chunk_at(chunks, k + 1 + (cat_at(chunks, k + 1) == "aux"))
+            entered = isinstance(done, Event) and (done.name, done.form) == ("enter", "ed")
+            if entered:  # "the road being entered"
+                del chunks[k + 1 : chunks.index(done) + 1]
+            if entered or (onto and turns(verb)) or _pointed_at(chunk, chunks[:k], tokens):
+                whole = chunk_at(chunks, k - 2) if before.value == "of" else None
+                for place in (chunk, whole):  # "the zebra crossing of the destination road"
+                    if isinstance(place, Place):
+                        place.arm, place.user = CrossedArm.EXIT, _turning(chunks, turn or 0)
+        begin = k + 1 if ends(chunk) else begin
+    return chunks
+
+
+def _turning(chunks: list[Chunk], k: int) -> Mention | None:
+    named = [c for c in chunks[:k] if isinstance(c, Mention)][-1:]
+    named += [c for c in chunks[k:] if isinstance(c, Mention)]
+    return named[0] if named else None
+
+
+def _pointed_at(road: Place, before: list[Chunk], tokens: list[Token]) -> bool:
+    """``the destination road``; "that road", "the side street", if the turn alone tells which."""
+    words = {t.low for t in tokens[road.i : road.j]}
+    named = [c for c in before if isinstance(c, Place) and c.kind in _ROADS]
+    turned = any(map(turns, before))
+    that = not words.isdisjoint(word_list("pointing")) and turned and len(named) <= 1
+    that |= road.kind == "access" and road.opened_by("def") and turned and not named
+    return that or not words.isdisjoint(word_lists("ways")["reached"])

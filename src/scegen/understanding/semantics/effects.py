@@ -174,7 +174,7 @@ def _put(name: str, where: str, of: str) -> Effect:
             found += [(p, p.target) for p in find(clause, context)]
         for prep, place in found:
             if isinstance(place, NounPhrase):
-                begins = event.i if prep is None else prep.word.i
+                begins = min(event.i, place.i) if prep is None else prep.word.i
                 site = Site(place, prep, Basis(begins, place.j), clause, context)
                 for entity in list(whom(clause, context)):
                     put(entity, site)

@@ -68,8 +68,10 @@ def _used_as(arm: CrossedArm) -> Put:
 def _crosses(entity: Entity, site: Site) -> None:
     """Which road of a junction it goes over, by where another comes from or goes to."""
     road = site.place
-    arm = road.arm or site.context.draft.used.get(road.kind)
-    arm = CrossedArm.EXIT if arm is None and road.kind == "exit" else arm
+    used = site.context.draft.used
+    arm = road.arm or {"exit": CrossedArm.EXIT, **used}.get(road.kind)
+    if arm is None and road.head is not None and "mouth" in road.head.data:
+        arm = next(iter(used.values()), None)  # of the side road that is told of
     if arm is None:
         return
     entity.crosses = entity.crosses or (arm, site.basis)

@@ -9,6 +9,7 @@ from scegen.understanding.words.terms import begins, longest_match
 from scegen.understanding.words.tokens import Token, low_at
 
 _ENDS = frozenset({"", ".", "!", "?"})
+_SOON = 3
 
 
 def without_emptiness(tokens: list[Token]) -> list[Token]:
@@ -20,7 +21,8 @@ def without_emptiness(tokens: list[Token]) -> list[Token]:
         for k, token in enumerate(tokens)
         if token.low in being and (count := _phrase(tokens, k + 1, "stressing"))
     }
-    counts |= {k: _asked(tokens, k) for k in range(len(tokens)) if low_at(tokens, k - 1) in _ENDS}
+    opened = [k for k in range(len(tokens)) if low_at(tokens, k - 1) in _ENDS]
+    counts |= {k: _asked(tokens, k) or _test_of(tokens, k) for k in opened}
     empty = {m for k, count in counts.items() for m in range(k, k + count)}
     return [token for k, token in enumerate(tokens) if k not in empty] if empty else tokens
 
@@ -45,6 +47,17 @@ def _asked(tokens: list[Token], k: int) -> int:
     counted = number_at(tokens, end) is not None and quantity_at(tokens, end) is None
     indefinite = match is not None and match.has("det") and match.get("det").value == "indef"
     return end - k if counted or indefinite else 0
+
+
+def _test_of(tokens: list[Token], k: int) -> int:
+    """How many words ``Car-to-pedestrian, nearside adult`` has before who is met in that test."""
+    met = longest_match(tokens, k + 2)
+    if [low_at(tokens, k), low_at(tokens, k + 1)] != ["car", "to"] or met is None:
+        return 0
+    again = [longest_match(tokens, m) for m in range(met.j, met.j + _SOON)]
+    kind = met.get("actor").value if met.has("actor") else "car"
+    named = any(a is not None and a.has("actor") and a.get("actor").value == kind for a in again)
+    return 0 if kind == "car" else met.j - k if named else 2
 
 
 def _phrase(tokens: list[Token], k: int, name: str) -> int:

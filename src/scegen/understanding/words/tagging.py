@@ -145,10 +145,12 @@ def _list_of_doings(terms: list[Term], tokens: list[Token], term: Term) -> bool:
     walker = longest_match(tokens, term.i, term.i + 1)
     if walker is None or not walker.has("actor"):
         return False  # "the zebra crossing that …"
+    if low_at(tokens, term.i - 2) in word_list("upon"):
+        return False  # "over the pedestrian crossing from the right"
     if _crossed(tokens, term.j) or (term.j < len(tokens) and street_name(tokens, term.j)):
         return True
     counted = len(terms) > 2 and terms[-1].cat in {"det", "num"}
-    return counted and begins(tokens, term.j, "det")  # "a pedestrian crossing the road"
+    return counted and begins(tokens, term.j, "det", "possessive", "pronoun")  # "… crossing it"
 
 
 def _crossed(tokens: list[Token], j: int) -> bool:
