@@ -72,7 +72,9 @@ def _opens_with(figure: Figure, acts: list[Doing]) -> list[Doing]:
     if any(figure.start <= m.i < figure.i for m in text.mentions):
         return []
     told = [c.event for c in text.within(figure.j, figure.end) if not c.event.embedded]
-    told = [e for e in told if e.finite or e.form != "ing"]  # "of a van standing there the ego …"
+    begun = [e.i for e in told if e.finite and e.name in _BEGINNING]
+    # "of a van standing there the ego …", but "a van starts moving over"
+    told = [e for e in told if e.finite or e.form != "ing" or (e.parent and e.parent.i in begun)]
     verbs = [event.i for event in told if event.name not in _BEGINNING]
     return [a for a in acts if a.places & {*verbs[:1]}]
 
@@ -88,13 +90,21 @@ def _as_it_begins(figure: Figure, acts: list[Doing]) -> list[Doing]:
 
 
 def _of_its_doer(figure: Figure, acts: list[Doing]) -> list[Doing]:
-    """``a van, 40 m ahead and doing 100 km/h, moves into our lane``: as it begins to do so."""
+    """``a van, 40 m ahead and doing 100 km/h, moves into our lane``: as it begins to do so.
+
+    So is it in "closes in and, its rear 40 m ahead of the ego, begins to change lanes".
+    """
     text = figure.text
-    if figure.after is None or text.within(figure.start, figure.i):
+    commas = [k for k in range(figure.start, figure.i) if text.tokens[k].low == ","]
+    begin = max(commas, default=figure.start)
+    if figure.after is None or text.within(begin, figure.i):
         return []
-    named = text.spoken_of(figure.start, figure.i)
-    over = [a for a in acts if a.kind is ActKind.CHANGE_LANE and a.i > figure.j]
-    return [a for a in over if named[:1] == [a.entity] and a.i < figure.end][:1]
+    here = [m for m in text.mentions if begin <= m.i < figure.i and not m.possessor]
+    named = [e for m in here for e in m.entities]
+    over = [a for a in acts if a.kind is ActKind.CHANGE_LANE and figure.j < a.i < figure.end]
+    who = [m.i for s in text.within(figure.j, figure.end) for m in s.event.subject]
+    new = any(figure.j <= i < a.i for a in over[:1] for i in who)
+    return [a for a in over if not new and (named[:1] or [a.entity]) == [a.entity]][:1]
 
 
 def _in_trigger(doing: Doing, figure: Figure) -> bool:

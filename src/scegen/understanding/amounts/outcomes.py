@@ -36,7 +36,8 @@ _NOBODY = frozenset({"neither", "nobody"})
 
 def read_outcome(text: Telling) -> None:
     """The outcome, as verbs and nouns tell it."""
-    told = sorted(text.scenes, key=lambda s: not (s.actors or s.targets))  # "Rear-ended: a van …"
+    # first what tells of two: "Rear-ended: a van …", "cannot stop in time and hits the ego"
+    told = sorted(text.scenes, key=lambda s: (s.event.negated, not (s.actors or s.targets)))
     endings = [e for s in told if (e := _of_verb(s, text)) is not None]
     endings += [*of_nouns(text), *of_phrases(text)]
     for kind in (OutcomeKind.COLLISION, OutcomeKind.NEAR_MISS, OutcomeKind.AVOIDED):
