@@ -10,16 +10,16 @@ from scegen.understanding.words.tokens import Token
 
 _LINE = frozenset({"ahead", "behind"})
 _NEXT_BUT_ONE, _MOST = 2, 5
-ENDS = {"front": "first", "ahead": "first", "rear": "last", "behind": "last"}
-"""Which of several in one file is at an end of it."""
+_ENDS = {"front": "first", "ahead": "first", "rear": "last", "behind": "last"}
 
 
 def count_places(terms: list[Term], tokens: list[Token]) -> list[Term]:
     """Who is two ahead of the ego is ahead of the one ahead of it, which is told with it."""
     found: list[Term] = []
     for k, term in enumerate(terms):
-        if term.cat == "dir" and term.value in ENDS and _one_of_several(terms, k):
-            found.append(replace(term, cat="label", value=ENDS[term.value], data={"in_file": True}))
+        if term.cat == "dir" and term.value in _ENDS and _one_of_several(terms, k):
+            end = _ENDS[term.value]
+            found.append(replace(term, cat="label", value=end, data={"in_file": True}))
             continue
         line = term.cat == "locus" and term.value in _LINE
         before = term_at(terms, k - 1)
