@@ -34,6 +34,12 @@ def brakes(name="b", by="x", **more):
 
 
 CASES = {
+    "goes across so far before the junction": told(
+        "four_way",
+        [ego(40), other(5, ["right"], ["cross"], "pedestrian")],
+        [("crossing_pedestrian", "x", "ego")],
+        acts=[act("c", "x", "cross", when=before(25))],
+    ),
     "a lane is changed just before a turn": told(
         "four_way",
         [ego(50), other(40, AHEAD, ["left"])],
@@ -184,6 +190,16 @@ def unkept(functional, concrete):
 def test_it_holds_from_the_first(name):
     functional = CASES[name]
     assert unkept(functional, first(functional)) == []
+
+
+def test_who_goes_across_elsewhere_breaks_it():
+    functional = CASES["goes across so far before the junction"]
+    concrete = first(functional)
+    x = concrete.participant("x")
+    there = x.motion.model_copy(update={"from_junction_m": 15.0})
+    moved = [p if p is not x else x.model_copy(update={"motion": there})
+             for p in concrete.participants]  # fmt: skip
+    assert unkept(functional, concrete.model_copy(update={"participants": tuple(moved)}))
 
 
 def by_chance(seed):

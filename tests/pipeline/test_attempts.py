@@ -66,8 +66,16 @@ def test_what_is_picked_is_made_whatever_comes_of_it(outcomes):
     assert made.skipped == {}
 
 
-def test_who_cannot_be_missed_is_hit_if_nobody_asked_for_a_near_miss(outcomes):
+def test_another_scenario_that_allows_of_a_near_miss_comes_before_a_collision(outcomes):
     outcomes += [proof(holds=False), proof(holds=True)]
+    made = make(target=None)
+    assert outcomes == []
+    assert len(made.skipped) == 1
+    assert not any("a near miss" in name for name in made.skipped)
+
+
+def test_who_cannot_be_missed_is_hit_if_nobody_asked_for_a_near_miss(outcomes):
+    outcomes += [proof(holds=False)] * (attempts.MOST_SPARE + 2) + [proof(holds=True)]
     made = make(target=None)
     ((name, taken),) = made.proofs.items()
     assert outcomes == []
@@ -76,8 +84,9 @@ def test_who_cannot_be_missed_is_hit_if_nobody_asked_for_a_near_miss(outcomes):
 
 
 def test_where_they_cannot_touch_either_the_near_miss_is_told(outcomes):
+    tried = attempts.MOST_SPARE + 1
     missed = [proof(holds=False), proof(holds=True, in_band=False)]
-    outcomes += missed * (attempts.MOST_SPARE + 1)
+    outcomes += [proof(holds=False)] * tried + missed * tried
     made = make(target=None)
     ((_, taken),) = made.proofs.items()
     assert taken.missed

@@ -53,6 +53,10 @@ class Told:
         """Where somebody crosses, None if it does not."""
         return next((c for c in self.logical.crossings if c.participant == name), None)
 
+    def way(self, name: str) -> Drive | Crossing | None:
+        """How somebody drives or goes across, None if it does neither."""
+        return self.drive(name) or self.crossing(name)
+
     def acts_of(self, name: str) -> tuple[Act, ...]:
         """What somebody does, in order."""
         return tuple(act for act in self.functional.acts if act.participant == name)

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from scegen.errors import InputError
     from scegen.scenario.functional import FunctionalScenario
     from scegen.understanding import ParseReport
-    from scegen.understanding.report.disagreement import Disagreement
+    from scegen.understanding.report.parse_report import Disagreement
 
 
 def tell_unsupported(functional: FunctionalScenario) -> None:

@@ -20,7 +20,7 @@ from scegen.concretization.tale import Tale, pace_of
 from scegen.concretization.things import caused_by_nobody
 from scegen.motion.standing import heads_for_junction
 from scegen.road.cross_section import CARRIAGEWAY, KERBED, half_width_m
-from scegen.scenario.acts import Act, ActKind
+from scegen.scenario.acts import Act, ActKind, BeforeJunction
 from scegen.scenario.bodies import Body
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Crossing
@@ -158,6 +158,9 @@ def place_walkers(scene: Setup) -> None:
 
 def _from_junction_m(scene: Setup, crossing: Crossing) -> float:
     road = scene.network.arm_road(crossing.arm)
+    act = scene.first_act(crossing.participant, ActKind.CROSS)
+    if act is not None and isinstance(act.when, BeforeJunction) and act.when.participant is None:
+        return act.when.distance_m.middle
     if road.crosswalks:
         return road.length_m - road.crosswalks[0].s_m
     hidden = [

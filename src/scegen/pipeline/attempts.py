@@ -72,45 +72,51 @@ def make_some(
     """Concrete scenarios of the logical ones, as many as are asked for, their danger raised.
 
     Those that were picked by name are made whatever comes of them. Of the others, one in which a
-    statement does not hold or the target is not reached is made only if no other will do; what
-    was passed over is told.
+    statement does not hold or the target is not reached is made only if no other will do, and
+    before that the first in which they touch, if nobody asked for the target; what was passed
+    over is told.
 
     Raises:
         InfeasibleError: none of them can be made.
     """
     wanted = len(picked) if options.pick else min(options.count, len(picked))
     most = len(picked) if options.pick else wanted + MOST_SPARE
-    tried: list[Raising] = []
+    tried: dict[str, Raising] = {}
     skipped: dict[str, str] = {}
-    for scenario in picked:
-        good = sum(_flaws(raising) == (0, 0) for raising in tried)
-        if len(tried) >= most or (wanted <= good and not options.pick):
-            break
-        name = scenario.name
+
+    def attempt(scenario: LogicalScenario, *, free: bool) -> None:
+        name, solutions = scenario.name, options.solutions
         progress(f"concretizing {name}")
         try:
-            raising = make_one(
-                functional,
-                scenario,
-                target,
-                options.seed,
-                progress,
-                session,
-                solutions=options.solutions,
-                free=options.target is None,
-            )
+            tried[name] = make_one(
+                functional, scenario, target, options.seed, progress, session,
+                solutions=solutions, free=free,
+            )  # fmt: skip
         except InfeasibleError as error:
             skipped[name] = error.render()
-            continue
-        tried.append(raising)
+
+    def good() -> int:
+        return sum(_flaws(raising) == (0, 0) for raising in tried.values())
+
+    free = options.target is None
+    for scenario in picked:
+        if len(tried) >= most or (wanted <= good() and not options.pick):
+            break
+        attempt(scenario, free=free and bool(options.pick))
+    for scenario in picked if free and not options.pick else ():
+        if good():
+            break
+        if scenario.name in tried:
+            attempt(scenario, free=True)
     if not tried:
         name, reason = next(iter(skipped.items()))
         more = f" (and {len(skipped) - 1} more)" if len(skipped) > 1 else ""
         raise InfeasibleError(f"none of the scenarios can be made: {name}{more}: {reason}")
-    chosen = tried if options.pick else sorted(tried, key=_flaws)[:wanted]
+    made = list(tried.values())
+    chosen = made if options.pick else sorted(made, key=_flaws)[:wanted]
     passed_over = {
         name: _why(proof)
-        for raising in tried
+        for raising in made
         if all(raising is not taken for taken in chosen)
         for name, proof in list(raising.proofs.items())[:1]
     }

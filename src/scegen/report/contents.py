@@ -12,7 +12,7 @@ from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalSet
 from scegen.scenario.proof import Proof
-from scegen.understanding.report.disagreement import Disagreement
+from scegen.understanding.report.parse_report import Disagreement
 
 VERDICTS = {"passed": "held", "failed": "failed"}
 """What the status of a check comes to, as statements do; any other one leaves it open."""

@@ -12,7 +12,7 @@ from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.paths import NOWHERE, value_at
 from scegen.scenario.proof import ClaimProof
 from scegen.understanding import STANDINGS, Finding, Standing, passages, report_on
-from scegen.understanding.report.disagreement import Disagreement
+from scegen.understanding.report.parse_report import Disagreement
 from scegen.units import parted
 
 LONGEST_SHOWN = 20_000

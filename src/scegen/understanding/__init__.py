@@ -6,18 +6,18 @@ makes of them), ``chunks`` (mentions, places, things, events), ``events`` with t
 """
 
 from scegen.understanding.reader import MAX_CHARACTERS, read
-from scegen.understanding.report.cases import Case, load_cases, paper_cases
-from scegen.understanding.report.explain import Passage, passages
 from scegen.understanding.report.parse_report import (
     STANDINGS,
     Finding,
     ParseReport,
+    Passage,
     Standing,
     parse_report,
+    passages,
     report_on,
     report_on_contradiction,
 )
-from scegen.understanding.report.scoring import Score, score
+from scegen.understanding.report.scoring import Case, Score, load_cases, paper_cases, score
 
 __all__ = [
     "MAX_CHARACTERS",

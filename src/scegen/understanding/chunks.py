@@ -9,27 +9,6 @@ from typing import Any, ClassVar, TypeAlias
 from scegen.scenario.vocabulary import CrossedArm, ParticipantKind
 from scegen.understanding.words.terms import Term
 
-_DEEPEST = 4
-"""So many verbs hang on one another, at most, that one counts for the others."""
-
-
-@dataclass(slots=True, eq=False)
-class Word:
-    """A term that is no phrase of its own: preposition, conjunction, adverb, mark.
-
-    Alone among the chunks it has a class and a value; those of all others are empty.
-    """
-
-    term: Term
-    cat: str = field(init=False)
-    value: str = field(init=False)
-    i: int = field(init=False)
-    j: int = field(init=False)
-
-    def __post_init__(self) -> None:
-        term = self.term
-        self.cat, self.value, self.i, self.j = term.cat, term.value, term.i, term.j
-
 
 @dataclass(slots=True, eq=False)
 class NounPhrase:
@@ -43,7 +22,7 @@ class NounPhrase:
     head: Term | None
     owner: Mention | None = None
     pps: list[Prep] = field(default_factory=list)
-    prep: Word | None = None
+    prep: Term | None = None
 
     def mod(self, *cats: str) -> Term | None:
         """The first word before the head of one of these classes."""
@@ -73,11 +52,6 @@ class NounPhrase:
         """Which preposition governs it; empty where none does."""
         return self.prep.value if self.prep is not None else ""
 
-    @property
-    def possessed(self) -> bool:
-        """``its lane``: whether a word before the head says that it is somebody's."""
-        return self.mod("possessive") is not None
-
     def opened_by(self, value: str) -> bool:
         """Whether its first word is of that value ("def": the article)."""
         return bool(self.mods) and self.mods[0].value == value
@@ -85,11 +59,6 @@ class NounPhrase:
     def stands_after(self, *words: str) -> bool:
         """Whether one of these prepositions governs it."""
         return self.opening in words
-
-    @property
-    def is_landmark(self) -> bool:
-        """Whether somebody is said to be ahead of it, beside it and so on."""
-        return self.prep is not None and self.prep.cat == "locus"
 
     @property
     def dirs(self) -> list[str]:
@@ -106,52 +75,34 @@ class Mention(NounPhrase):
         heads: all nouns of a compound ("ego vehicle"), the last is ``head``.
         pronoun: which pronoun it is, if it is one.
         label: a name such as ``#1`` for "vehicle 1".
-        drives: it does what only vehicles do ("the guy overtakes").
-        walks: it does what people on foot do ("she steps out").
-        stood: it does what only one does that stands ("it sets off").
+        marks: what clauses say of it, in the words of `reference.describing`.
         label_at: index of the token that holds the label.
         possessor: it only says whose something is.
         joined: the mention that it is joined to by "and".
         same_as: the mention that it describes further ("vehicle 1, a sedan, …").
-        partitive: one of a set named after it ("one of the cars").
         listed: one of those who were counted before ("two cars, a taxi and a van").
-        whole: the set that it is a part of.
+        whole: the set, named after it, of which it is a part ("one of the cars").
         ranked: who has which place among them ("fifth in a row of eight cars"), counted from 0.
         aside: somebody is on one side of it ("on the right of the ego").
-        elsewhere: it comes from another road ("a van from a side road").
-        trails: it follows the ego ("the car following us").
-        besides: it does something to "it", so that it is somebody else.
-        narrowed: words after it say which one is meant ("the car towing it").
         goes_by: how somebody moves who is no vehicle ("the claimant was cycling").
         negated: there is none ("no pedestrians").
         sides: it, or what it does, is said to come from there ("the one from the left").
         denied: it does not do what its verb says ("neither the bus nor the taxi").
-        seated: somebody who opens the door of the vehicle around them.
-        events: what it does, filled in by the clause reader.
         entities: whom it refers to, filled in by the discourse.
     """
 
     heads: list[Term] = field(default_factory=list)
     pronoun: str | None = None
     label: str | None = None
-    drives: bool = False
-    walks: bool = False
-    stood: bool = False
-    stands: bool = False
+    marks: set[str] = field(default_factory=set)
     label_at: int | None = None
     possessor: bool = False
     joined: Mention | None = None
     same_as: Mention | None = None
-    partitive: bool = False
     listed: bool = False
     whole: Mention | None = None
     ranked: tuple[Mention, int] | None = None
     aside: bool = False
-    elsewhere: bool = False
-    trails: bool = False
-    narrowed: bool = False
-    besides: bool = False
-    seated: bool = False
     goes_by: ParticipantKind | None = None
     negated: bool = False
     denied: bool = False
@@ -177,11 +128,6 @@ class Mention(NounPhrase):
     def is_mass(self) -> bool:
         """Whether it names many as one ("traffic", "a jam")."""
         return self.head is not None and "mass" in self.head.data
-
-    @property
-    def is_person(self) -> bool:
-        """Whether it names somebody by a word for people on foot."""
-        return self.head is not None and self.head.value == "pedestrian"
 
 
 @dataclass(slots=True, eq=False)
@@ -226,8 +172,7 @@ class Event:
         object: what it is done to.
         pps: prepositional phrases that belong to it.
         parent: the verb on which it depends ("tries" in "tries to merge").
-        drives: only vehicles, or people in them, do it.
-        says: it tells what somebody says or thinks ("he said the van had stopped").
+        data: what else the lexicon says of it: only vehicles do it, it tells what somebody says.
         embedded: it makes a clause that describes a noun ("a spot where two cars stand").
         supplement: it is told besides of a noun, between commas ("the ego, which brakes").
         link: how it hangs on its parent: ``inf``, ``ing`` or ``noun``.
@@ -264,8 +209,7 @@ class Event:
     link: str | None = None
     children: list[Event] = field(default_factory=list)
     alternative: int | None = None
-    drives: bool = False
-    says: bool = False
+    data: dict[str, Any] = field(default_factory=dict)
     embedded: bool = False
     supplement: bool = False
     sentence: int = 0
@@ -288,9 +232,9 @@ class Event:
         return [e for m in named if isinstance(m, Mention) for e in m.entities]
 
     def upwards(self) -> Iterator[Event]:
-        """It, and the verbs on which it hangs, one after the other."""
+        """It, and the verbs on which it hangs, one after the other: three of them at most."""
         node: Event | None = self
-        for _ in range(_DEEPEST):
+        for _ in range(4):
             if node is not None:
                 yield node
                 node = node.parent
@@ -323,7 +267,7 @@ class Prep:
         predicate: it tells where somebody known is ("the van is behind a bus"), not which one.
     """
 
-    word: Word
+    word: Term
     target: NounPhrase | Event | None = None
     outer: str | None = None
     on_mention: Mention | None = None
@@ -334,11 +278,6 @@ class Prep:
     def value(self) -> str:
         """Which preposition."""
         return self.word.value
-
-    @property
-    def leads_past(self) -> bool:
-        """Whether it is said of going past what it governs."""
-        return "passes" in self.word.term.data
 
     @property
     def place(self) -> Place | None:
@@ -355,10 +294,4 @@ class Prep:
         return self.target if isinstance(self.target, Mention) else None
 
 
-Chunk: TypeAlias = Word | Mention | Place | Thing | Event
-
-
-def teller_at(i: int) -> Mention:
-    """Whoever tells it, where the text names nobody."""
-    term = Term("actor", "ego", i, i, data={"ego": True, "speaks": True})
-    return Mention(i, i, [], term, heads=[term])
+Chunk: TypeAlias = Term | Mention | Place | Thing | Event

@@ -22,6 +22,10 @@ TURNS = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN})
 _OVERRIDABLE = frozenset({Maneuver.STRAIGHT})
 _ON_THE_WAY = frozenset({Maneuver.LANE_CHANGE})
 """What comes before a turn at the junction ("cuts in and turns right")."""
+IMPLIED = (
+    "crossing", "lanes", "passing", "access", "from_kerb",
+    "side_road",  # somebody comes from the left or right; it takes one unless lanes are meant
+)  # fmt: skip
 _WAITS_TO_CROSS = "nobody walks along the road and then crosses it: it stands until it crosses"
 
 
@@ -69,15 +73,10 @@ class Draft:
     """The side of the road on which traffic keeps."""
     ramp: Basis | None = None
     """Words for a ramp, or a lane that ends."""
-    crossing_implied: Basis | None = None
-    from_kerb: bool = False
-    lanes_implied: Basis | None = None
-    passing_implied: Basis | None = None
-    access: Basis | None = None
+    implied: dict[str, Basis] = field(default_factory=dict)
+    """What the road must have (of `IMPLIED`), with the first words from which it follows."""
     used: dict[str, CrossedArm] = field(default_factory=dict)
     """How who drives comes to a kind of road of the junction."""
-    side_road: Basis | None = None
-    """Somebody comes from the left or right, which takes a road there unless lanes are meant."""
     lying: list[Any] = field(default_factory=list)
     """The things that lie in the way, in the order of the text."""
 

@@ -40,12 +40,12 @@ class Entity:
     """On which side the lane lies in which it drives beside the ego."""
     in_next_lane: tuple[set[Approach], Basis] | None = None
     """Whether it is ahead or behind there."""
-    circulates: Basis | None = None
     on_call: Basis | None = None
     """Words that say that its siren and blue lights are on."""
     strip: tuple[Strip, Basis] | None = None
     """The strip beside the lanes on which it is at first."""
-    roadside: Basis | None = None
+    told: dict[str, Basis] = field(default_factory=dict)
+    """What rows note of it (`marks.NOTED`), with the first words that say so."""
     crosses: tuple[CrossedArm, Basis] | None = None
     course: tuple[bool, Basis] | None = None
     """Whether it walks as the ego drove before it turned (else against that)."""
@@ -53,8 +53,6 @@ class Entity:
     green_delay: Any = None
     start_lane: tuple[str, Basis] | None = None
     """The lane in which it is said to drive: ``left``, ``middle``, ``2``, ``2 from right``."""
-    held: Basis | None = None
-    """Words that say that it stands at a light when it begins."""
     brakes_from: int | None = None
     """Where the text first says that it brakes."""
     rests: list[Basis] = field(default_factory=list)
@@ -87,34 +85,15 @@ class Entity:
     """Whether it comes on the road that has the sign (else on the one that has priority)."""
     by_heading: Basis | None = None
     counted: Basis | None = None
-    moves: Basis | None = None
-    through: Basis | None = None
-    waits: Basis | None = None
-    bides: Basis | None = None
-    """Words that say that it waits to turn."""
     claimed: bool = False
     some: bool = False
     """It is one of so many of several alike, no matter which."""
     by_ramp: Basis | None = None
     """Words that say that it comes by a ramp, or in a lane that ends."""
-    on_ramp: Basis | None = None
-    """Words that say that it is on one; who changes lanes from there comes by it."""
     in_egos_lane: Basis | None = None
-    exits: Basis | None = None
     far_side: Basis | None = None
     """Words that say that it comes from the other side of the road."""
     pulls_out: bool = False
-    gives_way: bool = False
-    begins_over: bool = False
-    """It only begins to change lanes, as far as has been told."""
-    goes_back: bool = False
-    """It goes back before it has changed lanes."""
-    walks_up: bool = False
-    """It goes towards the road, on foot, and has not crossed it."""
-    halts: bool = False
-    """It stops at the kerb, and does not go on."""
-    gone_by: bool = False
-    """It has passed before what is told with it."""
     was_parked: Basis | None = None
     sides: set[str] = field(default_factory=set)
     opposed: set[int] = field(default_factory=set)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
@@ -129,6 +131,14 @@ class Item:
     side: Side | None = None
     sizes: dict[str, Amount] = field(default_factory=dict)
     name: str = ""
+
+
+def name_them(found: Iterable[Doing | Item]) -> None:
+    """Gives each its name, by kind and number."""
+    counts = Counter[str]()
+    for one in found:
+        counts[one.kind] += 1
+        one.name = f"{one.kind.value}_{counts[one.kind]}"
 
 
 @dataclass(slots=True)

@@ -15,6 +15,7 @@ from scegen.understanding.building.coverage import unattached, undone
 from scegen.understanding.building.leftovers import report
 from scegen.understanding.chunks import Chunk
 from scegen.understanding.clauses.clauses import ClauseReader
+from scegen.understanding.clauses.coordination import share_out
 from scegen.understanding.clauses.ellipsis import (
     fill_in,
     named_again,
@@ -22,39 +23,34 @@ from scegen.understanding.clauses.ellipsis import (
     said_of_one,
     who_comes,
 )
-from scegen.understanding.clauses.respectively import share_out
 from scegen.understanding.draft import Draft
 from scegen.understanding.frames import Numbers
-from scegen.understanding.meaning.breaches import too_fast
-from scegen.understanding.meaning.hiders import name_hiders
 from scegen.understanding.meaning.lights import read_calls
-from scegen.understanding.meaning.manner import Manners
-from scegen.understanding.meaning.meaning import Interpreter
+from scegen.understanding.meaning.manner import too_fast
+from scegen.understanding.meaning.meaning import interpret
+from scegen.understanding.meaning.roadside import name_hiders
 from scegen.understanding.phrases.chunking import Chunker
 from scegen.understanding.phrases.headings import announce, read_entries, silence
-from scegen.understanding.phrases.lanes_meant import lanes_meant
 from scegen.understanding.phrases.listed import each_of, in_between, list_them
 from scegen.understanding.phrases.naming import counted_in, filmed_from, in_brackets, under_test
 from scegen.understanding.phrases.opening_doors import open_doors
-from scegen.understanding.phrases.repeated import repeat, which_is_it
+from scegen.understanding.phrases.repeated import lanes_meant, repeat, which_is_it
 from scegen.understanding.phrases.road_turned_into import name_turned_into
 from scegen.understanding.phrases.telegrams import spell_out
 from scegen.understanding.phrases.which_road import name_roads
-from scegen.understanding.reference.discourse import Discourse
 from scegen.understanding.reference.generic import answer, deny_of_everybody
 from scegen.understanding.reference.resolving import resolve_mentions
+from scegen.understanding.reference.roster import Roster
 from scegen.understanding.road.each_arm import count_arms, share_arms
 from scegen.understanding.road.junctions import JunctionReading, read_junction
 from scegen.understanding.road.lengthwise import read_lengthwise, whole_bends
-from scegen.understanding.road.relevance import require_traffic
 from scegen.understanding.road.surroundings import read_surroundings
 from scegen.understanding.semantics.context import Context
 from scegen.understanding.semantics.rows import say
 from scegen.understanding.semantics.seen import settle_far_sides
 from scegen.understanding.words.emptiness import without_emptiness
-from scegen.understanding.words.in_file import count_places
-from scegen.understanding.words.language import require_english
-from scegen.understanding.words.sides import settle_sides
+from scegen.understanding.words.places import count_places, settle_sides
+from scegen.understanding.words.refusing import require_english, require_traffic
 from scegen.understanding.words.tagging import tag
 from scegen.understanding.words.tokens import Token, tokenize
 
@@ -135,14 +131,13 @@ def read(text: str) -> FunctionalScenario:
     draft.ramp = lengthwise.auxiliary[1] if lengthwise.auxiliary is not None else None
     draft.kerb = (surroundings.side or DrivingSide.RIGHT).value
     shared = share_arms(chunks, events)
-    resolve_mentions(chunks, events, Discourse(draft, tokens, _arms(junction)))
+    resolve_mentions(chunks, events, Roster(draft, tokens, _arms(junction)))
     count_arms(shared, junction)
     across = "right" if surroundings.side is DrivingSide.LEFT else "left"
     events = share_out(events, terms)
     context = Context(draft, junction, tokens, across)
     numbers = Numbers(terms, tokens, surroundings.measured)
-    manners = Manners(context)
-    scenes = Interpreter(context, manners).run(chunks, events)
+    scenes = interpret(chunks, events, context)
     settle_far_sides(draft)
     ego = choose_ego(draft, crossing=junction.crossing)
     happenings = read_amounts(numbers, chunks, scenes, context, ego[0])

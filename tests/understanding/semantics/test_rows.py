@@ -11,7 +11,7 @@ import scegen.understanding
 from scegen.scenario.outcome import BodySide, OutcomeKind
 from scegen.scenario.vocabulary import HazardKind, Maneuver
 from scegen.understanding import read
-from scegen.understanding.amounts.fields import rows as figures
+from scegen.understanding.amounts.reading import rows as figures
 from scegen.understanding.lexicon import load
 from scegen.understanding.semantics.conditions import condition
 from scegen.understanding.semantics.patterns import listed

@@ -28,7 +28,7 @@ from scegen.scenario.acts import (
     WhenMeasure,
 )
 from scegen.scenario.in_line import is_said_ahead
-from scegen.scenario.logical import Drive
+from scegen.scenario.logical import Crossing, Drive
 from scegen.scenario.model import Interval
 from scegen.scenario.verbs import does, has_done
 
@@ -62,10 +62,10 @@ def claims(told: Told, act: Act) -> Iterator[Claim]:
         whose = f" of {when.participant}" if when.participant else ""
         said = f"after {amount(when.distance_m)} m{whose}"
         test = partial(_driven, when)
-    elif isinstance(when, BeforeJunction) and (drive := told.drive(when.participant or own)):
-        whose = f" of {drive.participant}" if when.participant else ""
+    elif isinstance(when, BeforeJunction) and (way := told.way(when.participant or own)):
+        whose = f" of {way.participant}" if when.participant else ""
         said = f"{amount(when.distance_m)} m{whose} before the junction"
-        test = partial(_before, when, drive)
+        test = partial(_before, when, way)
     else:
         return
     yield claim_of(
@@ -120,12 +120,15 @@ def _driven(when: AfterDistance, told: Told, act: Act, view: View) -> Judged:
     return as_wanted(gone, when.distance_m, _FAR_M, view.time_of(step), there=there)
 
 
-def _before(when: BeforeJunction, drive: Drive, told: Told, act: Act, view: View) -> Judged:
-    """Where it begins; of one that stops, where it stands."""
-    arm = arms_of(view)[drive.entry]
-    box = boxes(view, drive.participant)
+def _before(
+    when: BeforeJunction, way: Drive | Crossing, told: Told, act: Act, view: View
+) -> Judged:
+    """Where it begins; of one that stops, where it stands; of who crosses there, its middle."""
+    arm = arms_of(view)[way.entry if isinstance(way, Drive) else way.arm]
+    box = boxes(view, way.participant)
     step = act_begins(told, act, view)
     if act.kind is ActKind.STOP and when.participant is None:
         step = act_ends(told, act, view)
-    left, there = arm.length_m - at(arm.place(box)[0], step) - box.half_length, step < view.steps
+    reach = box.half_length if isinstance(way, Drive) else 0.0
+    left, there = arm.length_m - at(arm.place(box)[0], step) - reach, step < view.steps
     return as_wanted(left, when.distance_m, _FAR_M, view.time_of(step), there=there)

@@ -203,10 +203,15 @@ def _before_turn(told: Told, name: str, view: View) -> Ints:
 
 
 def _may_react(told: Told, name: str) -> bool:
-    """Whether something happens to it: the ego, and whom others endanger, or meet by their acts."""
+    """Whether something happens to it: the ego, and whom others endanger, or meet by their acts.
+
+    On a road without a junction who is faster comes up to who is slower.
+    """
     acting = {act.participant for act in told.functional.acts}
     acting |= {d.participant for d in told.logical.drives if d.changes_to is not None}
     acting |= {by for hazard in told.hazards for by in hazard.by}
+    own = told.functional.participant(name).speed_mps if told.plain_road else None
+    acting |= {p.id for p in told.people if own and p.speed_mps and p.speed_mps.high < own.low}
     return name == told.ego or bool(acting & told.concerned_by(name))
 
 

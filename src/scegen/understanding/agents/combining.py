@@ -13,7 +13,7 @@ from scegen.understanding.agents.deciding import EVERYBODYS, Decider
 from scegen.understanding.agents.numbers import compare_numbers
 from scegen.understanding.agents.quoting import find_quote
 from scegen.understanding.agents.stated import Words, miscounted, words_of
-from scegen.understanding.report.disagreement import Disagreement
+from scegen.understanding.report.parse_report import Disagreement
 
 _SHAPE = (
     "kind",

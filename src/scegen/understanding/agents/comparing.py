@@ -10,7 +10,7 @@ from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import Role
 from scegen.understanding.agents.deciding import EVERYBODYS, Decider, close, shown
 from scegen.understanding.agents.stated import Words, words_of
-from scegen.understanding.report.disagreement import Kept
+from scegen.understanding.report.parse_report import Kept
 
 _SAID = ("kind", "parked", "maneuvers", "approaches", "speed_mps")
 _NAMING = ("kind", "role", "speed_mps", "maneuvers", "approaches")

@@ -8,8 +8,7 @@ from scegen.errors import InfeasibleError, InputError
 from scegen.scenario.functional import FunctionalScenario
 from scegen.understanding.agents.result import Objection, Part
 from scegen.understanding.agents.stated import Words
-from scegen.understanding.report.disagreement import Disagreement, Kept
-from scegen.understanding.report.parse_report import report_on_contradiction
+from scegen.understanding.report.parse_report import Disagreement, Kept, report_on_contradiction
 
 
 @dataclass(frozen=True, slots=True)

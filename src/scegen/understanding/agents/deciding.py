@@ -13,7 +13,7 @@ from scegen.scenario.functional import FunctionalScenario, Participant, Relation
 from scegen.scenario.model import Interval
 from scegen.scenario.things import Thing
 from scegen.understanding.agents.stated import Words, holds_number, place_of, words_of
-from scegen.understanding.report.disagreement import Disagreement, Kept
+from scegen.understanding.report.parse_report import Disagreement, Kept
 
 _SAME_WITHIN = 0.02
 """Quantities that differ by less were only rounded."""

@@ -11,7 +11,7 @@ from pydantic import Field
 from scegen.llm import Fault, Usage
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.model import FrozenModel
-from scegen.understanding.report.disagreement import Disagreement, Kept
+from scegen.understanding.report.parse_report import Disagreement, Kept
 
 __all__ = ["READER", "Disagreement", "Kept", "Objection", "Part", "Understanding"]
 

@@ -7,7 +7,7 @@ from itertools import product
 
 from scegen.scenario.acts import SLOWING, ActKind
 from scegen.scenario.vocabulary import HazardKind, Maneuver, Side
-from scegen.understanding.amounts.aside import OTHER, to_the_side
+from scegen.understanding.amounts.aside import to_the_side
 from scegen.understanding.amounts.letting_by import let_by
 from scegen.understanding.amounts.telling import CHANGING, Telling
 from scegen.understanding.chunks import Place
@@ -72,7 +72,7 @@ def _go_back(doing: Doing, first: Doing, scene: Clause, found: list[Doing]) -> N
         first.told.append(doing.i)
         return
     lane = next((p.target for p in scene.event.pps if isinstance(p.target, Place)), None)
-    doing.side = OTHER[first.side]
+    doing.side = first.side.opposite
     doing.side_basis = Basis(lane.i, lane.j) if lane is not None else doing.basis
     doing.into = None
     found.append(doing)
@@ -101,7 +101,7 @@ def _back_from_there(found: list[Doing]) -> None:
     for doing in [d for d in found if d.kind is ActKind.CHANGE_LANE]:
         own = [d for d in found if d.entity is doing.entity and d.i < doing.i]
         sides = [d.side for d in own if d.kind is ActKind.OVERTAKE and d.side is not None]
-        doing.side = OTHER[sides[-1]] if sides else doing.side
+        doing.side = sides[-1].opposite if sides else doing.side
 
 
 def _past_and_back(found: list[Doing], text: Telling) -> None:
@@ -113,7 +113,7 @@ def _past_and_back(found: list[Doing], text: Telling) -> None:
     for doing in found:
         if doing.kind is ActKind.CHANGE_LANE and (doing.entity, doing.into) in passed:
             doing.into = None
-            doing.side = doing.side or OTHER[Side(text.context.across)]
+            doing.side = doing.side or Side(text.context.across).opposite
     dangers[:] = [
         d
         for d in dangers
@@ -143,7 +143,7 @@ def _acts_of(scene: Clause, text: Telling) -> list[Doing]:
             doing.always = doing.forced = False
         if whom and doing.kind in {ActKind.STOP, ActKind.GIVE_WAY}:
             doing.into, doing.into_basis = whom[0], doing.basis
-        if doing.kind is ActKind.STOP and doing.entity.halts:
+        if doing.kind is ActKind.STOP and "halts" in doing.entity.told:
             doing.kind, doing.into = ActKind.CROSS, None  # as far as the kerb
             doing.amounts["distance_m"] = Amount(STILL, doing.basis)
         again = _then_again(doing, text)

@@ -95,7 +95,6 @@ def toward(figure: Figure) -> tuple[Side | None, int]:
 
 
 _BACK = {"left": "right", "right": "left"}
-OTHER = {Side.LEFT: Side.RIGHT, Side.RIGHT: Side.LEFT}
 
 
 def to_the_side(doing: Doing, scene: Clause, text: Telling) -> None:
@@ -112,7 +111,7 @@ def to_the_side(doing: Doing, scene: Clause, text: Telling) -> None:
         return
     joins = entity.by_ramp or (entity.strip and entity.strip[1])
     if joins is not None and doing.kind is ActKind.CHANGE_LANE:
-        doing.side = OTHER[Side(context.draft.kerb)]  # "into the right lane", off the ramp
+        doing.side = Side(context.draft.kerb).opposite  # "into the right lane", off the ramp
         words = joins.because("who joins comes from the side of the kerb")
         doing.side_basis = doing.side_basis or words
     _into(doing, scene, context)
@@ -180,7 +179,7 @@ def _homewards(doing: Doing, returns: bool, context: Context) -> None:
             doing.side, doing.side_basis = across, words.because(reason)
     if back and doing.side is None and entity.beside is None:
         reason = "who has overtaken comes back to its lane"
-        doing.side, doing.side_basis = OTHER[across], words.because(reason)
+        doing.side, doing.side_basis = across.opposite, words.because(reason)
 
 
 def _into(doing: Doing, scene: Clause, context: Context) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import Side
-from scegen.understanding.amounts.aside import OTHER, SIDE_WORDS
+from scegen.understanding.amounts.aside import SIDE_WORDS
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.timing import likewise
 from scegen.understanding.entity import Basis
@@ -181,7 +181,7 @@ def _side(doing: Doing, figure: Figure) -> None:
             return
     beside = doing.entity.beside if tokens[j].low in word_list("towards") else None
     if beside is not None and doing.side is None:  # "1 m towards the ego"
-        doing.side = OTHER[Side(beside[0])]
+        doing.side = Side(beside[0]).opposite
         doing.side_basis = Basis(j, j + 1, "towards the lane beside its own")
 
 

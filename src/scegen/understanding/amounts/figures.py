@@ -7,13 +7,14 @@ from typing import Any
 
 from scegen.scenario.spacings import Measure
 from scegen.understanding.amounts.telling import Telling
-from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing, Word
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.frames import AmountFrame, Numbers
 from scegen.understanding.happenings import Amount, Trigger
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause
 from scegen.understanding.words.quantities import Quantity
+from scegen.understanding.words.terms import Term
 
 _MEASURES = {measure.value.rpartition("_")[0]: measure for measure in Measure}
 NO_RULE = "a measure that no rule could attach; left out"
@@ -36,12 +37,12 @@ class Figure(Clause):
         told = (verb.name, None if verb.perfect else verb.i) if verb is not None else ()
         ahead = verb is not None and verb.i > self.j and any(map(self._modifies, text.mentions))
         told = () if ahead else told
-        measured = numbers.measured(quantity, *told)
-        self.words_around, self.frame = measured.around, measured.frame
+        self.words_around, self.frame = numbers.measured(quantity, *told)
         sized = self.frame.role in {"long", "wide"} or (
             self.frame.role == "other" and self.frame.next
         )
-        if self.frame.dimension == "length" and not sized and self.inside is not None:
+        inside = self.phrase_around(self.i) if self.frame.dimension == "length" else None
+        if inside is not None and not sized:
             self.frame = AmountFrame("length", "long")  # "a 12 m bus": how large it is
         self.role = self.frame.role
         event = Event(self.role, self.i, self.j, "", parent=verb)
@@ -137,13 +138,8 @@ class Figure(Clause):
         ends = (k for k in range(i, stop) if tokens[k].low == ",")
         return begin, next(ends, stop), self.text.low(begin, opened[-1].j).strip()
 
-    @cached_property
-    def inside(self) -> Mention | Thing | None:
-        """``a 12 m bus``: somebody or something in whose phrase it stands."""
-        return self.phrase_around(self.i)
-
     def phrase_around(self, i: int) -> Mention | Thing | None:
-        """The same of another token."""
+        """``a 12 m bus``: somebody or something in whose phrase a token stands."""
         phrases = [c for c in self.text.chunks if isinstance(c, Mention | Thing) and has_a_size(c)]
         return next((p for p in phrases if p.head is not None and p.i <= i < p.head.i), None)
 
@@ -172,7 +168,7 @@ class Figure(Clause):
                 whole = self.placed_by(chunk) if told else chunk
                 return list(whole.entities) if owns or not chunk.possessor else []
             of = chunk.value == "of"
-            if not isinstance(chunk, Word) or not (of or {chunk.cat, chunk.value} & _SKIPPED):
+            if not isinstance(chunk, Term) or not (of or {chunk.cat, chunk.value} & _SKIPPED):
                 return []
         return []
 
@@ -186,7 +182,8 @@ class Figure(Clause):
         """``car in front of the ego: 80 km/h``: the noun that is placed by another, else that."""
         before = (m for m in self.text.mentions if m.i < landmark.i)
         placed = (m for m in before if any(p.target is landmark for p in m.pps))
-        return next(placed, landmark) if landmark.is_landmark else landmark
+        located = landmark.prep is not None and landmark.prep.cat == "locus"
+        return next(placed, landmark) if located else landmark
 
     @cached_property
     def own_subject(self) -> list[Entity]:
@@ -208,7 +205,7 @@ class Figure(Clause):
     @cached_property
     def said_of(self) -> Entity | None:
         """Whom a clause is about that says how far off one is: "a van that is still 60 m away"."""
-        words_ = (c for c in self.text.chunks if isinstance(c, Word) and self.start <= c.i < self.i)
+        words_ = (c for c in self.text.chunks if isinstance(c, Term) and self.start <= c.i < self.i)
         opened = [c for c in words_ if c.cat in {"rel", "sub"}]
         who = self.own_subject if opened else []
         if opened and opened[-1].cat == "rel":
@@ -246,7 +243,7 @@ class Figure(Clause):
         return list(dict.fromkeys(e for m in said[:count] for e in m.entities))
 
     @cached_property
-    def after(self) -> tuple[Word, NounPhrase | None] | None:
+    def after(self) -> tuple[Term, NounPhrase | None] | None:
         """A phrase of place right after it: "ahead of the ego", "from the junction"."""
         chunks = self.text.chunks
         j = self.words_around.resumes
@@ -255,7 +252,7 @@ class Figure(Clause):
         while k < len(chunks) and tokens[chunks[k].i].low in {"(", ")", "remaining"}:
             k += 1  # "26.7 m (1.6 s) behind a car"
         word = chunks[k] if k < len(chunks) else None
-        if not isinstance(word, Word):
+        if not isinstance(word, Term):
             return None
         before = word.cat == "sub" and self.text.low(word.i, word.j) == " before "
         before = before or self.text.tokens[word.i].low in {"short", "away", "distant"}

@@ -12,7 +12,7 @@ from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.draft import Danger
 from scegen.understanding.entity import Basis, Entity
-from scegen.understanding.happenings import Item
+from scegen.understanding.happenings import Item, name_them
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause
 
@@ -33,17 +33,9 @@ def read_items(text: Telling) -> None:
             _lie_in_the_way(danger, text)
         elif danger in hiding:
             _hide(danger, text)
-    number_them(text.found.items)
+    name_them(text.found.items)
     placed = {item.basis.i for danger in hiding for item in danger.items}  # where it hides them
     text.draft.notes[:] = [n for n in text.draft.notes if n.i not in placed]
-
-
-def number_them(found: list[Item]) -> None:
-    """Gives each thing its name, by kind and number."""
-    counts: dict[ThingKind, int] = {}
-    for item in found:
-        counts[item.kind] = counts.get(item.kind, 0) + 1
-        item.name = f"{item.kind.value}_{counts[item.kind]}"
 
 
 def _add(item: Item, danger: Danger, text: Telling) -> None:
@@ -185,7 +177,7 @@ def _named_beside(figure: Figure) -> NounPhrase | None:
     Of a noun and the place where that is said to be ("the truck in the left lane, which is 12 m
     long") it is the noun; but the lane may be so wide.
     """
-    within, text = figure.inside, figure.text
+    within, text = figure.phrase_around(figure.i), figure.text
     if within is None and text.low(figure.j + 1, figure.j + 2) == " and ":
         within = figure.phrase_around(figure.j + 2)  # "a 2.5 m wide and 12 m long bus"
     if within is not None:

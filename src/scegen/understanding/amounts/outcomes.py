@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from scegen.scenario.model import Interval
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.spacings import CONTACT, Measure
@@ -18,7 +16,7 @@ from scegen.understanding.amounts.contact_nouns import (
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.struck import fully_told
 from scegen.understanding.amounts.telling import Telling
-from scegen.understanding.chunks import Event, Mention, Place, Thing, Word
+from scegen.understanding.chunks import Event, Mention, Place, Thing
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Amount, Apart, Ending
 from scegen.understanding.lexicon import word_list
@@ -26,6 +24,7 @@ from scegen.understanding.semantics.conditions import holds
 from scegen.understanding.semantics.context import Clause
 from scegen.understanding.semantics.met import goal_of_contact, lies_there, touched
 from scegen.understanding.words.quantities import ends_a_quantity
+from scegen.understanding.words.terms import Term
 
 _BEFORE, _PAIR = 4, 2
 _WHOLE, _HALF = 100.0, 50.0
@@ -55,7 +54,7 @@ def read_outcome(text: Telling) -> None:
 
 def _from_the_front(ending: Ending, text: Telling) -> None:
     """``a head-on collision``: they come towards one another."""
-    marks = [m for c in text.chunks for m in ([c] if isinstance(c, Word) else c.mods)]
+    marks = [m for c in text.chunks for m in ([c] if isinstance(c, Term) else c.mods)]
     placed = {p.entity.index for p in text.draft.placements}
     for mark in [m for m in marks if (m.cat, m.value) == ("manner", "head_on")][:1]:
         for entity in [e for e in ending.between if not e.ego and e.index not in placed]:
@@ -135,12 +134,8 @@ def _by_a_part(event: Event, text: Telling) -> bool:
     helped = event.i > 0 and text.tokens[event.i - 1].low in word_list("required")
     first = event.i - helped  # "its front shall meet the bicycle"
     parts = (c for c in text.chunks if first in {c.j, getattr(getattr(c, "owner", None), "j", -1)})
-    return _bodies((*by, *parts))
-
-
-def _bodies(nouns: Iterable[object]) -> bool:
-    """Whether one of some nouns is a part of a vehicle."""
-    return any(isinstance(n, Place) and n.kind in _BODY for n in nouns)
+    # Whether one of some nouns is a part of a vehicle
+    return any(isinstance(n, Place) and n.kind in _BODY for n in (*by, *parts))
 
 
 def _in_time(scene: Clause, text: Telling) -> Ending | None:

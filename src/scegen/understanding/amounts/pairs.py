@@ -75,7 +75,7 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
         return None  # "each 3 m clear of the next"
     if (meeting := before_they_meet(figure)) is not None:
         return (meeting[0], meeting[1]) if len(meeting) > 1 else None
-    named = text.named(noun) if noun is None or not noun.possessed else []
+    named = text.named(noun) if noun is None or not noun.has("possessive") else []
     word = figure.after[0] if figure.after is not None else None
     located = word is not None and word.cat == "locus"
     before = [m for m in text.mentions if m.i < figure.i]

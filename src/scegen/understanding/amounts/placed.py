@@ -1,19 +1,19 @@
-"""Distances, headways, offsets and overlaps between two."""
+"""Distances, headways, offsets and overlaps between two, and when they are as said."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
 from scegen.scenario.acts import ActKind
-from scegen.scenario.spacings import Measure
+from scegen.scenario.spacings import CONTACT, LENGTHWISE, START, Measure
 from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts import aside
 from scegen.understanding.amounts.figures import Figure
-from scegen.understanding.amounts.moments import moment, since
 from scegen.understanding.amounts.pairs import each_from, pair_of, row_of, tell_order
+from scegen.understanding.amounts.telling import CHANGING, Telling
 from scegen.understanding.chunks import Place
 from scegen.understanding.entity import Entity
-from scegen.understanding.happenings import Apart, Doing
+from scegen.understanding.happenings import Apart, Doing, Since
 from scegen.understanding.lexicon import word_list
 
 _SOON = 14
@@ -155,3 +155,125 @@ def to_a_thing(figure: Figure) -> bool:
         return False  # "20 m ahead of the ego a cyclist swerves around a pothole"
     text.found.spacings.append(Apart(Measure.GAP_M, nearest, text.ego, figure.placed))
     return True
+
+
+_ANSWERING = frozenset({ActKind.BRAKE, ActKind.STOP, ActKind.CHANGE_LANE})
+_INTO = frozenset({ActKind.CHANGE_LANE, ActKind.OVERTAKE, ActKind.SWERVE, ActKind.CROSS,
+                   ActKind.OPEN_DOOR})  # fmt: skip
+_BEGINNING = frozenset({"try", "light", "inert"})
+"""``starts to brake``: what is begun is told after it."""
+
+
+def moment(figure: Figure, measure: Measure, one: Entity, other: Entity) -> Doing | str:
+    """An act, the contact or the start."""
+    if measure is Measure.OVERLAP_PERCENT:
+        return CONTACT
+    text, start = figure.text, figure.start
+    acts = [a for a in text.found.acts if a.entity in (one, other)]
+    if measure is Measure.LATERAL_GAP_M:
+        passing = [a for a in acts if a.kind is ActKind.OVERTAKE and start <= a.i < figure.end]
+        return passing[-1] if passing else START
+    begun = _as_it_begins(figure, acts)
+    starts = text.find("starts", start, figure.end) and not begun
+    if measure not in LENGTHWISE or starts:
+        return START
+    own = figure.verb
+    told = {own.i} if own is not None and own.i < figure.i else set()
+    into = (
+        begun[-1:]
+        or [a for a in acts if a.kind in _INTO and told & a.places]
+        or [a for a in acts if _in_trigger(a, figure)]
+        or _revealed_by(figure, one, other)
+        or [a for a in _opens_with(figure, acts) if _goes_in(a)]
+    )
+    if into:
+        return into[0]  # "when it has passed it moves in 15 m ahead of the ego"
+    here = [a for a in acts if any(start <= i < figure.i for i in a.places)]
+    here_into = [a for a in here if _goes_in(a)]
+    if not here_into:  # "brakes at a TTC of 3 s", "brakes with 6 m/s² 20 m ahead of the ego"
+        then = [a for a in here if told & a.places] or _opens_with(figure, acts)
+        here_into = [a for a in then if measure is Measure.TTC_S or a.kind in CHANGING]
+    return here_into[-1] if here_into else _until_it_brakes(text, one, other, acts)
+
+
+def _goes_in(doing: Doing) -> bool:
+    """Whether one comes where the other drives: a gap is one as it begins to."""
+    return doing.kind in _INTO or (doing.kind is ActKind.SET_OFF and doing.entity.pulls_out)
+
+
+def _until_it_brakes(text: Telling, one: Entity, other: Entity, acts: list[Doing]) -> Doing | str:
+    """Between two who are as fast: as far as when the one in front brakes."""
+    unequal = one.speed is not None and other.speed is not None and one.speed != other.speed
+    if unequal or any(e.still or not e.is_vehicle for e in (one, other)):
+        return START
+    leader = text.in_file(one, other)[1]
+    later = next((a for a in acts if a.kind in _ANSWERING and a.always), None)
+    return later if later is not None and later.entity is leader else START
+
+
+def _opens_with(figure: Figure, acts: list[Doing]) -> list[Doing]:
+    """``at a TTC of 2 s the lead car brakes``, ``10 m ahead of the ego a van swerves``: then.
+
+    So it is in "a van, 40 m ahead and doing 100 km/h, moves over", "closes in and, its rear 40 m
+    ahead of the ego, begins to change lanes": as who is told of before begins to do so.
+    """
+    text = figure.text
+    commas = [k for k in range(figure.start, figure.i) if text.tokens[k].low == ","]
+    begin = max(commas, default=figure.start)
+    before = [m for m in text.mentions if begin <= m.i < figure.i and not m.possessor]
+    inside = begin > figure.start or bool(before)
+    if text.within(begin, figure.i) or (inside and figure.after is None):
+        return []
+    told = [c.event for c in text.within(figure.j, figure.end) if not c.event.embedded]
+    begun = [e.i for e in told if e.finite and e.name in _BEGINNING]
+    # "of a van standing there the ego …", but "a van starts moving over"
+    told = [e for e in told if e.finite or e.form != "ing" or (e.parent and e.parent.i in begun)]
+    first = next((e for e in told if e.name not in _BEGINNING), None)
+    if first is None or (inside and any(figure.j <= m.i for m in first.subject)):
+        return []
+    who = [e for m in before for e in m.entities][:1]
+    over = [a for a in acts if first.i in a.places and (who or [a.entity]) == [a.entity]]
+    return [a for a in over if not inside or a.kind is ActKind.CHANGE_LANE]
+
+
+def _as_it_begins(figure: Figure, acts: list[Doing]) -> list[Doing]:
+    """``20 m at the start of its lane change``, ``the gap is 20 m then``: those told before."""
+    text = figure.text
+    if text.find("at_that_moment", figure.start, figure.end):
+        return [a for a in acts if a.i < figure.start and not text.acts(figure.start, figure.end)]
+    at, end = text.find("onsets", figure.start, figure.end) or (0, 0)
+    named = text.within(end, end + 3) or text.find("manoeuvres", at, end + 3)
+    return [a for a in acts if a.i < at] if named else []
+
+
+def _in_trigger(doing: Doing, figure: Figure) -> bool:
+    """``… is 150 m away when the ego pulls out``: at that moment."""
+    for told in doing.places:
+        clause = figure.clause_of(told)
+        if clause is None or not figure.start <= told < figure.end:
+            continue
+        if not clause[0] <= figure.i < clause[1] and clause[2] in word_list("triggers"):
+            return True
+    return False
+
+
+def since(text: Telling, at: Doing | str, one: Entity, other: Entity) -> Since:
+    """``when it has changed lanes``; what somebody reveals who leaves the lane."""
+    if not isinstance(at, Doing) or at.kind is not ActKind.CHANGE_LANE:
+        return "begin"
+    over = any(s.event.perfect and s.event.i in at.places for s in text.scenes)
+    return "end" if over or at.entity not in (one, other) else "begin"
+
+
+def _revealed_by(figure: Figure, one: Entity, other: Entity) -> list[Doing]:
+    """``the car ahead changes lanes and reveals a truck 60 m ahead``: as it has done so."""
+    if not (one.still or other.still) or not (one.ego or other.ego):
+        return []
+    text = figure.text
+    ahead = [
+        a
+        for a in text.acts(0, figure.end, {ActKind.CHANGE_LANE})
+        if a.entity not in (one, other) and a.into is None
+        if text.context.placed(a.entity, Approach.AHEAD)
+    ]
+    return ahead if len(ahead) == 1 and ahead[0].when is None else []

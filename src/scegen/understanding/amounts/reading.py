@@ -1,28 +1,35 @@
-"""Reads all numbers of a text, what is done, when, and how it ends; then asks what that means."""
+"""Reads all numbers of a text, by rows, what is done, and how it ends; then what that means."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
+from functools import cache, lru_cache
+from typing import Any
 
-from scegen.scenario.acts import ActKind
+from scegen.scenario.acts import FAR, LASTING, ActKind
 from scegen.scenario.model import Interval
 from scegen.scenario.spacings import Measure
 from scegen.understanding.amounts import aside, struck
 from scegen.understanding.amounts.acting import read_acts
 from scegen.understanding.amounts.as_fast import as_fast, kept_apart
-from scegen.understanding.amounts.fields import place, says_how
+from scegen.understanding.amounts.aside import off_its_lane
+from scegen.understanding.amounts.doings import comes_to, fill, made, rests, until_the_next
 from scegen.understanding.amounts.figures import Figure
-from scegen.understanding.amounts.items import read_items
+from scegen.understanding.amounts.items import read_items, sized
 from scegen.understanding.amounts.letting_by import go_on
-from scegen.understanding.amounts.ordering import order
-from scegen.understanding.amounts.outcomes import read_outcome
+from scegen.understanding.amounts.outcomes import impact, read_outcome
+from scegen.understanding.amounts.placed import apart, at_rest, to_a_thing
+from scegen.understanding.amounts.releasing import driven, order, sets_off
+from scegen.understanding.amounts.speeds import held, relative
 from scegen.understanding.amounts.telling import Telling
+from scegen.understanding.amounts.timing import at_green, delayed, earlier
 from scegen.understanding.chunks import Chunk, Event
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.frames import Numbers
-from scegen.understanding.happenings import Apart, Doing, Happenings
+from scegen.understanding.frames.loader import read
+from scegen.understanding.happenings import Apart, Doing, Happenings, name_them
 from scegen.understanding.semantics.context import Clause, Context
-from scegen.understanding.semantics.rows import say
+from scegen.understanding.semantics.rows import Families, read_rows, say
 
 
 def read_amounts(
@@ -70,10 +77,7 @@ def _kept(found: Happenings) -> list[Doing]:
         or (d.kind is ActKind.OVERTAKE  # "overtakes it on the right", "overtakes it and cuts in"
             and (d.side is not None or any(e is d.entity and i > d.i for e, i in home)))
     ]  # fmt: skip
-    counts: dict[ActKind, int] = {}
-    for doing in kept:
-        counts[doing.kind] = counts.get(doing.kind, 0) + 1
-        doing.name = f"{doing.kind.value}_{counts[doing.kind]}"
+    name_them(kept)
     return kept
 
 
@@ -129,3 +133,72 @@ def _as_time(gap_m: Interval, speed_mps: Interval) -> Interval | None:
 
 def _event(name: str, basis: Basis) -> Event:
     return Event(name, basis.i or 0, basis.j or 0, "")
+
+
+_KEYS = frozenset({"if", "also", "take", "fills", "of", "makes"})
+TAKES: dict[str, Callable[[Figure], bool]] = {
+    "held": held,
+    "comes_to": comes_to,
+    "relative": relative,
+    "rests": rests,
+    "until_the_next": until_the_next,
+    "driven": driven,
+    "earlier": earlier,
+    "at_green": at_green,
+    "delayed": delayed,
+    "impact": impact,
+    "length": lambda figure: sized(figure, "length_m"),
+    "width": lambda figure: sized(figure, "width_m"),
+    "sets_off": sets_off,
+    "at_rest": at_rest,
+    "to_a_thing": to_a_thing,
+    "off_its_lane": off_its_lane,
+    "apart": apart,
+}
+"""What gives a number its place, if there is one."""
+_ACTS = {
+    "along": frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.STOP, ActKind.SET_OFF}),
+    "aside": frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE}),
+    "lasting": LASTING,
+    "far": FAR,
+}
+
+
+def _effects(row: dict[str, Any]) -> Iterable[Any]:
+    if "take" in row:
+        take = TAKES[row["take"]]
+        yield lambda figure, _: take(figure)
+    if "makes" in row:
+        makes = ActKind(row["makes"])
+        yield lambda figure, _: made(figure, makes, row["fills"])
+    elif "fills" in row:
+        kinds = _ACTS[row.get("of", "along")]
+        yield lambda figure, _: fill(figure, row["fills"], kinds)
+
+
+@lru_cache(maxsize=1)
+def rows() -> Families:
+    """All rows by what is measured, read once.
+
+    Raises:
+        KeyError: names the family, and what in it means nothing.
+    """
+    return read_rows("figures", effects=_effects, keys=_KEYS)
+
+
+@cache
+def says_how(role: str) -> bool:
+    """Whether numbers that measure this say how something is done."""
+    told = (rows for roles, rows in read("figures").items() if role in roles.split(", "))
+    return any("fills" in row for rows in told for row in rows)
+
+
+def place(figure: Figure) -> bool:
+    """Gives a number its place; whether it has one."""
+    context = figure.text.context
+    for row in rows().asked(f"figures.{figure.role}", figure.event):
+        if all(test(figure, context) for test in row.tests):
+            taken = [effect(figure, context) for effect in row.effects]
+            if any(taken) or not row.also:
+                return any(taken)
+    return False

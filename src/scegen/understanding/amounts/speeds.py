@@ -7,7 +7,7 @@ from scegen.scenario.bodies import BODIES
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
 from scegen.understanding.amounts.figures import Figure
-from scegen.understanding.chunks import Mention, Word
+from scegen.understanding.chunks import Mention
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import STILL, Amount, Doing
 from scegen.understanding.lexicon import word_list
@@ -81,7 +81,7 @@ def _can(entity: Entity, speed: Interval, near: list[Entity]) -> bool:
 
     If somebody else stands nearer, what one does by muscle in traffic is the most.
     """
-    stands = entity.still or entity.held is not None
+    stands = entity.still or "held" in entity.told
     stays = stands and not entity.ego and entity.sets_off < 0 and speed.high > 0
     own = not near or entity in near or entity.kind not in _BY_MUSCLE
     top = BODIES[entity.kind].top_speed_mps
@@ -242,7 +242,7 @@ def _before_any_verb(figure: Figure, who: Mention) -> bool:
     if who.stands_after("of") or figure.text.within(figure.start, figure.i):
         return False
     between = [c for c in figure.text.chunks if who.j <= c.i < figure.i]
-    return all(isinstance(c, Word) and (c.cat in _BESIDES or c.value == ",") for c in between)
+    return all((c.cat in _BESIDES or c.value == ",") for c in between)
 
 
 def _opens_with(figure: Figure) -> list[Entity]:
@@ -255,7 +255,7 @@ def _opens_with(figure: Figure) -> list[Entity]:
     fronted = {id(p.target) for m in text.mentions for p in m.pps if p.fronted}  # "behind a bus"
     free = (m for m in text.mentions if id(m) not in fronted)
     who = next((m for m in free if start <= m.i < figure.end), None)
-    if who is None or not all(isinstance(c, Word) for c in before):
+    if who is None or not all(isinstance(c, Term) for c in before):
         return []
     named = text.low(figure.j, who.i).split()
     if named[:1] == ["is"] and named[-1:] == ["of"] and set(named) & word_list("rates"):

@@ -108,7 +108,7 @@ def _hit(place: Place, ending: Ending, text: Telling) -> bool:
     i, prep = ending.basis.i or 0, place.opening
     here = [s for s in text.scenes if s.event.i == i]
     is_hit = any(text.ego in s.targets and text.ego not in s.actors for s in here)
-    told = place.owner is not None or place.possessed
+    told = place.owner is not None or place.has("possessive")
     direct = any(s.event.object is place or s.event.i == place.j for s in here)
     met = direct or (prep in {"in", "into", "against"} and told)
     return met or prep in {"by", "with"} or (prep == "in" and is_hit)
@@ -123,7 +123,7 @@ def _portion(place: Place, text: Telling) -> NounPhrase | None:
         before = text.tokens[of].low == "of" and part.j in {of - 1, of}
         of_more = part.j < len(text.tokens) and text.tokens[part.j].low == "of"
         after = 0 <= part.i - place.j <= 1 and part.opening in {"", "in"}
-        if before or (after and not (of_more or part.possessed)):
+        if before or (after and not (of_more or part.has("possessive"))):
             return part
     return None
 

@@ -8,11 +8,12 @@ from functools import cache
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import Approach
-from scegen.understanding.chunks import Chunk, Mention, NounPhrase, Word
+from scegen.understanding.chunks import Chunk, Mention, NounPhrase
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Doing, Happenings
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.words.terms import Term
 
 ANY: frozenset[ActKind] = frozenset(ActKind)
 CHANGING = frozenset({ActKind.BRAKE, ActKind.ACCELERATE})
@@ -41,7 +42,7 @@ class Telling:
         self.context = context
         self.draft = context.draft
         self.mentions = [c for c in chunks if isinstance(c, Mention)]
-        self.subs = [c for c in chunks if isinstance(c, Word) and c.cat == "sub"]
+        self.subs = [c for c in chunks if isinstance(c, Term) and c.cat == "sub"]
         self.found = Happenings()
         self._marks = [k for k, token in enumerate(self.tokens) if token.low in _ENDS]
         self._said: dict[str, list[str]] = {}

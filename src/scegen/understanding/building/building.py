@@ -13,7 +13,16 @@ from scegen.scenario.junction import Junction
 from scegen.scenario.roadway import Strip
 from scegen.scenario.signals import AtLight
 from scegen.scenario.vocabulary import Approach, Control, HazardKind, JunctionKind, Maneuver, Role
-from scegen.understanding.building.happening import Writer
+from scegen.understanding.building.beside import (
+    abreast,
+    alongside,
+    at_the_edge,
+    both_change_lanes,
+    from_the_strip,
+    in_one_lane,
+    in_the_way,
+    settle_ramp,
+)
 from scegen.understanding.building.in_lane import (
     lanes_of,
     past_people,
@@ -22,23 +31,13 @@ from scegen.understanding.building.in_lane import (
     side_by_side,
 )
 from scegen.understanding.building.layout import Layout
-from scegen.understanding.building.open_road import (
-    abreast,
-    alongside,
-    at_the_edge,
-    both_change_lanes,
-    from_the_strip,
-    in_one_lane,
-    in_the_way,
-)
-from scegen.understanding.building.proving import Proofs
-from scegen.understanding.building.strips import settle_ramp
 from scegen.understanding.building.unsaid import maneuvers_of, some_of
 from scegen.understanding.building.viewpoint import settle_arms, settle_positions, settle_roads
+from scegen.understanding.building.writing import Proofs, Writer
 from scegen.understanding.draft import Danger, Draft
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Happenings
-from scegen.understanding.meaning.breaches import onto_the_road
+from scegen.understanding.meaning.manner import onto_the_road
 from scegen.understanding.road.junctions import JunctionReading
 from scegen.understanding.road.lengthwise import Lengthwise
 from scegen.understanding.road.surroundings import Surroundings
@@ -133,7 +132,7 @@ class Builder:
             "acts": writer.acts(),
             "outcome": writer.outcome(),
             "environment": Environment(**{name: value for name, (value, _) in conditions.items()}),
-            "evidence": self.proofs.evidence,
+            "evidence": tuple(self.proofs.evidence),
             "unsupported": self._unsupported(),
         }
         scenario = FunctionalScenario.from_valid(parts, _FIELDS)  # each is checked where it is made
@@ -175,7 +174,8 @@ class Builder:
         if (along := self._in_next_lane(entity)) is not None:
             seen = seen | along[0]
         maneuvers = maneuvers_of(entity, junction, self.draft)
-        ring = junction.kind is JunctionKind.ROUNDABOUT and entity.circulates is not None
+        circulates = entity.told.get("circulates")
+        ring = junction.kind is JunctionKind.ROUNDABOUT and circulates is not None
         light = self._light(entity, maneuvers, junction)
         delay = entity.green_delay if light[0] is AtLight.WAITS else None
         there = Maneuver.CROSS in maneuvers and junction.kind is not JunctionKind.STRAIGHT
@@ -191,7 +191,7 @@ class Builder:
                 lanes_of(entity, junction),
                 entity.start_lane[1] if entity.start_lane is not None else None,
             ),
-            "circulating": (ring, entity.circulates),
+            "circulating": (ring, circulates),
             "on_call": (entity.on_call is not None, entity.on_call),
             "strip": entity.strip or _NOT_SAID,
             # on a road without a junction there is but one way to cross
@@ -253,10 +253,11 @@ class Builder:
 
     def _unsupported(self) -> tuple[Unsupported, ...]:
         found = []
-        for note in sorted(self.draft.notes, key=lambda n: (n.i, n.j)):
-            start, end = self.proofs.span(note.i, note.j)
+        notes = sorted(self.draft.notes, key=lambda n: (n.i, n.j))
+        for i, j, instead in dict.fromkeys((n.i, n.j, n.instead) for n in notes):
+            start, end = self.proofs.span(i, j)
             text = self.draft.text[start:end]
-            found.append(Unsupported(text=text, start=start, end=end, instead=note.instead))
+            found.append(Unsupported(text=text, start=start, end=end, instead=instead))
         return tuple(found)
 
 

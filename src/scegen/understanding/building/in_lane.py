@@ -208,7 +208,7 @@ def lanes_of_road(
         InfeasibleError: it names a lane beyond those that are built.
     """
     ring, plain = kind is JunctionKind.ROUNDABOUT, kind is JunctionKind.STRAIGHT
-    implied = draft.lanes_implied
+    implied = draft.implied.get("lanes")
     adjacent = next((e for e in draft.entities if Approach.ADJACENT in e.approaches), None)
     if implied is None and adjacent is not None:
         basis = adjacent.approach_basis or adjacent.basis
@@ -226,13 +226,14 @@ def lanes_of_road(
         return (around.lanes,) * arms, doubled, around.lanes_basis
     if ring and around.two_lane is not None:
         return (2,) * arms, 2, around.two_lane
-    passing = draft.passing_implied
+    parted = along.carriageway is not None and not along.presumed  # the words do so for sure
+    passing = draft.implied.get("passing")
     if implied is None and passing is not None:
-        if not ring and not _parted(along) and _against_oncoming(draft, around):
+        if not (ring or parted) and _against_oncoming(draft, around):
             reason = "who overtakes uses the oncoming lane"
             return (1,) * arms, None, passing.because(reason)
         implied = passing.because("overtaking needs a second lane")
-    if implied is None and plain and around.two_lane is not None and not _parted(along):
+    if implied is None and plain and around.two_lane is not None and not parted:
         counted = around.two_lane
         return (1,) * arms, None, counted.because("two lanes, one each way")
     if implied is None and around.highway is not None:
@@ -255,11 +256,6 @@ def _middle_lane(draft: Draft) -> bool:
     words = [token.low for token in draft.tokens]
     pairs = pairwise(words)
     return any(one in word_list("middle") and other == "lane" for one, other in pairs)
-
-
-def _parted(along: Lengthwise) -> bool:
-    """Whether the words part the directions for sure."""
-    return along.carriageway is not None and not along.presumed
 
 
 def _against_oncoming(draft: Draft, around: Surroundings) -> bool:

@@ -15,9 +15,9 @@ from scegen.scenario.vocabulary import (
     JunctionKind,
     Maneuver,
 )
+from scegen.understanding.building.beside import AT_JUNCTIONS, Used, auxiliary_lane, strips_beside
 from scegen.understanding.building.in_lane import lanes_of_road
-from scegen.understanding.building.proving import Proofs
-from scegen.understanding.building.strips import AT_JUNCTIONS, Used, auxiliary_lane, strips_beside
+from scegen.understanding.building.writing import Proofs
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis
 from scegen.understanding.lexicon import word_list
@@ -38,15 +38,7 @@ _ALONG_LANES = frozenset({HazardKind.CUT_IN, HazardKind.OVERTAKING, HazardKind.M
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """Decides what the road looks like.
-
-    Attributes:
-        draft: participants and what they do, which may imply a junction or lanes.
-        reading: what the text says about the junction.
-        around: what it says about lanes, limits and the driving side.
-        along: what it says about the road along its length.
-        proofs: where the evidence goes.
-    """
+    """Decides what the road looks like, by what the `Builder` has at hand."""
 
     draft: Draft
     reading: JunctionReading
@@ -202,14 +194,16 @@ class Layout:
         if reading.named is not None:
             reason = "an intersection without a shape is read as four-way"
             return JunctionKind.FOUR_WAY, reading.named.because(reason)
-        access = self.draft.access
+        access = self.draft.implied.get("access")
         if access is not None and reading.straight is None and not self._backs_alone():
             if (across := self._across_the_main_road()) is not None:
                 return JunctionKind.FOUR_WAY, across
             reason = "a side road or driveway meets the road like the stem of a T"
             return JunctionKind.T, access.because(reason)
-        implied = self.draft.crossing_implied or self._lateral()
-        if implied is None and (implied := self._regulated()) is not None:
+        implied = self.draft.implied.get("crossing") or self._lateral()
+        control = reading.control_basis if reading.control is not Control.UNCONTROLLED else None
+        if implied is None and control is not None:
+            implied = control.because("priority is regulated")
             self._lit_crosswalk(implied)
         implied = implied or self._side_road()
         if implied is not None:
@@ -255,13 +249,8 @@ class Layout:
         """``a bus comes from the left``: not on a highway, and not one that changes lanes."""
         along = self.reading.straight is not None or self.around.highway is not None
         lanes = any(d.kind in _ALONG_LANES for d in self.draft.dangers)
-        return None if along or lanes or self.draft.from_kerb else self.draft.side_road
-
-    def _regulated(self) -> Basis | None:
-        basis = self.reading.control_basis
-        if basis is None or self.reading.control is Control.UNCONTROLLED:
-            return None
-        return basis.because("priority is regulated")
+        none = along or lanes or "from_kerb" in self.draft.implied
+        return None if none else self.draft.implied.get("side_road")
 
     def _arms(self, kind: JunctionKind, basis: Basis | None) -> tuple[int, Basis]:
         reading = self.reading

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from itertools import groupby
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.draft import Draft
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.phrases.lookahead import chunk_at, value_at
 from scegen.understanding.words.numbers import POSITIONS
 from scegen.understanding.words.terms import Term
 
@@ -63,7 +64,7 @@ def _shared_out(draft: Draft, chunks: list[Chunk]) -> None:
     """``two lanes of stopped cars``, ``in both lanes``; ``drives fifth in a row of eight``."""
     for k, place in enumerate(chunks):
         if place.cat == "label" and draft.tokens[place.i].low in POSITIONS:
-            row = [*chunks[k + 2 : k + 3], None][0]
+            row = chunk_at(chunks, k + 2)
             before = next((c for c in reversed(chunks[:k]) if isinstance(c, Mention | Event)), None)
             own = before.entities if isinstance(before, Mention) else []
             ranked = isinstance(row, Mention) and row.ranked
@@ -72,8 +73,7 @@ def _shared_out(draft: Draft, chunks: list[Chunk]) -> None:
         if not isinstance(place, Place) or place.kind != "lane" or place.head is None:
             continue
         words = {t.low for t in draft.tokens[place.i : place.j]}
-        of, who = [*chunks[k + 1 : k + 3], None, None][:2]
-        filled = isinstance(of, Word) and of.value == "of" and isinstance(who, Mention)
+        filled = value_at(chunks, k + 1) == "of" and isinstance(chunk_at(chunks, k + 2), Mention)
         if place.head.form == "s" and (filled or words & {"both", "all", "every"}):
             draft.note(place.i, place.j, _ONE_LANE)
 
@@ -96,8 +96,7 @@ def _used(draft: Draft, term: Term, crossing: bool) -> bool:
     if crossing and term.value == "exit":
         return True
     if term.value in {"ramp", "exit"}:
-        users = (basis for e in draft.entities for basis in (e.by_ramp, e.exits))
-        return any(basis is not None for basis in users)
+        return any(e.by_ramp is not None or "exits" in e.told for e in draft.entities)
     strips = [(*e.strip, e.ego) for e in draft.entities if e.strip is not None]
     return any(
         (b.i or 0) <= term.i < (b.j or 0) or (ego and strip.value == term.value)

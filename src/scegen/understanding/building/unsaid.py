@@ -6,7 +6,6 @@ from collections import Counter
 
 from scegen.scenario.functional import Group
 from scegen.scenario.junction import Junction
-from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import (
     ANIMALS,
     ON_FOOT,
@@ -15,10 +14,10 @@ from scegen.scenario.vocabulary import (
     JunctionKind,
     Maneuver,
 )
-from scegen.understanding.building.proving import Proofs
+from scegen.understanding.building.writing import Proofs
 from scegen.understanding.draft import TURNS, Draft
 from scegen.understanding.entity import Basis, Entity
-from scegen.understanding.happenings import Happenings
+from scegen.understanding.happenings import STILL, Happenings
 
 _OVER_A_JUNCTION = frozenset({Maneuver.LEFT, Maneuver.RIGHT, Maneuver.STRAIGHT})
 _OUT_OF_THE_ACCESS = frozenset({HazardKind.FAILURE_TO_YIELD, HazardKind.REVERSING,
@@ -36,10 +35,11 @@ def maneuvers_of(entity: Entity, junction: Junction, draft: Draft) -> set[Maneuv
     if entity.stays and not entity.ego and not entity.parked:
         entity.maneuver_basis = entity.stands
         return {Maneuver.STAY}
-    if entity.bides is not None and entity.sets_off < 0 and _met_from_behind(entity, draft):
-        entity.maneuver_basis = entity.bides.because("it waits, and nothing says that it turns")
+    bides = entity.told.get("bides")
+    if bides is not None and entity.sets_off < 0 and _met_from_behind(entity, draft):
+        entity.maneuver_basis = bides.because("it waits, and nothing says that it turns")
         if entity.ego:
-            entity.speed, entity.speed_basis = Interval(low=0.0, high=0.0), entity.bides
+            entity.speed, entity.speed_basis = STILL, bides
         return {Maneuver.STAY}
     if entity.maneuvers and (entity.was_parked is not None or not entity.parked):
         turns = entity.maneuvers & TURNS
@@ -68,13 +68,14 @@ def _followed(
         return Maneuver.CROSS, entity.basis, reason
     if junction.kind is JunctionKind.STRAIGHT:
         reason = "on a straight road, or one without a junction, one drives straight on"
-        return Maneuver.STRAIGHT, entity.moves or Basis(), reason
+        return Maneuver.STRAIGHT, entity.told.get("moves", Basis()), reason
     if junction.kind is JunctionKind.ROUNDABOUT:
         return None
-    underway = entity.moves or (entity.heading_basis if entity.bound else None)
-    through = entity.through if entity.ego or entity.claimed else None
-    stays = entity.moves is None and entity.sets_off < 0 and not entity.pulls_out
-    held = (entity.held or (entity.stands if entity.ego else None)) if stays else None
+    told = entity.told
+    underway = told.get("moves") or (entity.heading_basis if entity.bound else None)
+    through = told.get("through") if entity.ego or entity.claimed else None
+    stays = "moves" not in told and entity.sets_off < 0 and not entity.pulls_out
+    held = (told.get("held") or (entity.stands if entity.ego else None)) if stays else None
     if any(token.low == "green" for token in draft.tokens):
         held = None  # "stands at a red light", and it turns green
     if entity.ego and held is not None and held is entity.stands:
@@ -85,7 +86,7 @@ def _followed(
         (underway if entity.heading is not None else None, "it keeps its heading"),
         (through, "it drives through"),
         (_oncoming(entity, draft), "it comes on"),
-        (entity.waits if held is None else None, "it waits for the light"),
+        (told.get("waits") if held is None else None, "it waits for the light"),
     ):
         if words is not None:
             return Maneuver.STRAIGHT, words, f"{why}: nothing says that it turns"
@@ -100,7 +101,7 @@ def _met_from_behind(entity: Entity, draft: Draft) -> bool:
 
 def _has_the_way(entity: Entity, draft: Draft) -> Basis | None:
     """``pulls out of a driveway in front of a bus``: the bus keeps to its road."""
-    if draft.access is None or not entity.moving_vehicle:
+    if "access" not in draft.implied or not entity.moving_vehicle:
         return None
     for danger in draft.dangers:
         met = [e for e in draft.entities if e.moving_vehicle and e not in danger.by]
@@ -153,7 +154,8 @@ def some_of(
             continue  # all of them
         words = {frozenset(e.maneuvers): e.maneuver_basis or e.basis for e in told}
         for entity in members:
-            entity.maneuvers, entity.maneuver_basis, entity.waits = set(), None, None
+            entity.maneuvers, entity.maneuver_basis = set(), None
+            entity.told.pop("waits", None)
         names = tuple(e.name for e in members)
         for maneuvers, number in ways.items():
             proofs.add(f"groups.{len(found)}", words[maneuvers])
@@ -181,7 +183,7 @@ def _signature(entity: Entity) -> tuple[object, ...]:
     sets = (entity.approaches, entity.entries, entity.labels, entity.excluded, entity.opposed)
     return (
         entity.kind, basis.i, basis.j, entity.parked, entity.heading, entity.speed,
-        entity.stands, entity.beside, entity.circulates, entity.crosses, entity.start_lane,
-        entity.light,
+        entity.stands, entity.beside, entity.told.get("circulates"), entity.crosses,
+        entity.start_lane, entity.light,
         *(frozenset(s) for s in sets),
     )  # fmt: skip

@@ -16,7 +16,7 @@ from scegen.scenario.vocabulary import (
 )
 from scegen.understanding.draft import Draft, Placement
 from scegen.understanding.entity import Basis, Entity
-from scegen.understanding.semantics.approaches import INVERSE
+from scegen.understanding.semantics.lanes import INVERSE
 
 _COMPASS = ("north", "east", "south", "west")
 _SEEN = {1: Approach.LEFT, 2: Approach.OPPOSITE, 3: Approach.RIGHT}
@@ -48,7 +48,10 @@ def settle_positions(draft: Draft, ego: Entity) -> list[Placed]:
             if own is not None and placement.reference is None:
                 approaches = _reframed(own, approaches)
             allow(entity, _in_a_lane_there(placement, approaches, ego, draft), placement.basis)
-        elif _hidden_there(entity, reference) or _hidden_there(reference, entity):
+        elif any(
+            Maneuver.CROSS in one.maneuvers and other.still
+            for one, other in ((entity, reference), (reference, entity))
+        ):
             continue  # "hidden behind two parked cars": no place along the road
         elif not any(r[0] is entity and r[1] is reference for r in relations):
             relations.append((entity, reference, set(approaches), placement.basis))
@@ -82,7 +85,7 @@ def _in_a_lane_there(
     entity, words = placement.entity, placement.basis
     turns = bool(ego.maneuvers & {Maneuver.LEFT, Maneuver.RIGHT})
     crosses = Maneuver.CROSS in entity.maneuvers
-    stands = entity.still or draft.from_kerb
+    stands = entity.still or "from_kerb" in draft.implied
     if turns or crosses or stands or not entity.is_vehicle or not seen < _ASIDE:
         return seen
     told = (p for p in draft.placements_of(entity) if p.reference in (None, ego))
@@ -98,11 +101,6 @@ def _side_by_side(first: Basis, second: Basis) -> bool:
     """Whether one stands right behind the other, but for a comma."""
     pairs = ((first.j, second.i), (second.j, first.i))
     return any(a is not None and b is not None and 0 <= b - a <= 1 for a, b in pairs)
-
-
-def _hidden_there(entity: Entity, other: Entity) -> bool:
-    """Whether one who crosses is behind one who is parked."""
-    return Maneuver.CROSS in entity.maneuvers and other.still
 
 
 def _in_file(relations: list[Placed]) -> None:
@@ -197,7 +195,6 @@ def face_each_other(draft: Draft, ego: Entity) -> None:
 
 
 _SIDES = {Maneuver.LEFT: Approach.LEFT, Maneuver.RIGHT: Approach.RIGHT}
-_OTHER = {Approach.LEFT: Approach.RIGHT, Approach.RIGHT: Approach.LEFT}
 _ALL_ALIKE = frozenset({Control.SIGNALS, Control.ALL_WAY_STOP})
 
 
@@ -212,8 +209,8 @@ def settle_arms(draft: Draft, ego: Entity) -> None:
             continue
         along, basis = entity.course
         side = _SIDES[next(iter(ego.maneuvers & set(_SIDES)))]
-        side = side if along else _OTHER[side]
-        said = [p.approaches & set(_OTHER) for p in draft.placements if p.entity is entity]
+        side = side if along else INVERSE[side]
+        said = [p.approaches & _ASIDE for p in draft.placements_of(entity)]
         if entity.crosses[0] is CrossedArm.EXIT and all(side in sides for sides in said if sides):
             draft.place(entity, ego, {side}, basis)
 

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention, Place, Prep, Word
+from scegen.understanding.chunks import Event, Mention, Place, Prep
+from scegen.understanding.clauses.further import located
 from scegen.understanding.clauses.located import is_it, opens_clause
 from scegen.understanding.clauses.state import State
+from scegen.understanding.words.terms import Term
 
 _PASSING = frozenset({"overtake", "pass", "undertake"})
 _MET = _PASSING | {"collide"}
 _ASIDE = frozenset({",", "unknown", "inert"})
 
 
-def preposition(word: Word, state: State) -> None:
+def preposition(word: Term, state: State) -> None:
     """Opens a phrase; what it governs comes next."""
     before = state.prep
     if before is not None and (word.cat != "locus" or before.word.cat == "locus"):
@@ -21,7 +23,7 @@ def preposition(word: Word, state: State) -> None:
     state.prep = Prep(word, None, outer, _noun_before(word, state), fronted)
 
 
-def _noun_before(word: Word, state: State) -> Mention | None:
+def _noun_before(word: Term, state: State) -> Mention | None:
     """The noun right before a preposition, or whom that one places if it is known already."""
     near = state.last_pp or state.anchor
     if state.between or not isinstance(near, Mention):
@@ -106,7 +108,7 @@ def _noun(prep: Prep, state: State) -> Mention | None:
         return head
     if _of_who_acts(prep, whom, state) or _came_from(prep, whom, state) or _astern(prep, state):
         return None
-    if head is None and whom.is_landmark and prep.value == "from" and state.events:
+    if head is None and located(whom) and prep.value == "from" and state.events:
         # "falls onto the road ahead of the ego from the pavement"; the ego itself comes from no
         # side of its own: "turns in front of a car from the left"
         own = any(m.is_ego for m in state.events[-1].subject) and prep.names("side", "direction")
@@ -150,7 +152,7 @@ def _of_who_acts(prep: Prep, whom: Mention, state: State) -> bool:
     if place is not None:
         if verb is None or prep.value != "in":
             return False
-        past = (p for p in verb.pps if p.leads_past)
+        past = (p for p in verb.pps if "passes" in p.word.data)
         if not verb.subject and (whom.is_me or whom.is_ego or is_it(whom)):
             # "driving next to us in the right lane, a lorry …"
             return any(p.target is whom and p.word.cat == "locus" for p in verb.pps)
@@ -191,7 +193,8 @@ def _head_of(prep: Prep, state: State) -> Mention | None:
         return None  # "stands in the left lane 30 m ahead of the ego in the middle lane"
     if (head := _placed_by(inner, state)) is not None:
         side = state.at(2)  # "the ego is behind a van in the lane to its left": the van is there
-        return None if head.is_ego and isinstance(side, Place) and side.possessed else head
+        aside = isinstance(side, Place) and side.has("possessive")
+        return None if head.is_ego and aside else head
     if verb is None or not ego or not verb.subject:
         return None
     met = verb.name == "approach" and verb.object is inner

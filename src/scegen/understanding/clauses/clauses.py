@@ -9,9 +9,10 @@ these decide who acts in participles ("a car turning left"), infinitives ("tries
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing, Word
-from scegen.understanding.clauses import relatives, subjects
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
+from scegen.understanding.clauses import subjects
 from scegen.understanding.clauses.attachment import preposition, release
+from scegen.understanding.clauses.further import close_relative
 from scegen.understanding.clauses.nominals import read_mention, read_noun
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import (
@@ -20,11 +21,10 @@ from scegen.understanding.phrases.lookahead import (
     GOVERNING,
     by_follows,
     event_follows,
-    is_word,
     only_a_noun_follows,
     view_of,
 )
-from scegen.understanding.words.terms import Term
+from scegen.understanding.words.terms import NOTHING, Term
 
 _OPENERS = frozenset({"conj", "sub", "punct"})
 _LANES = frozenset({"lane", "bike_lane", "shoulder", "sidewalk", "side", "bus_stop"})
@@ -43,7 +43,7 @@ class ClauseReader:
         """All events in the order of the text, premodifiers before the events of their noun."""
         for k, chunk in enumerate(self._chunks):
             self._state.k = k
-            if isinstance(chunk, Word):
+            if isinstance(chunk, Term):
                 self._word(chunk)
             elif isinstance(chunk, Mention):
                 self._premodifiers(chunk)
@@ -60,7 +60,7 @@ class ClauseReader:
         self._state = State(self._chunks, main=self._state.main)
         self._sentence += 1
 
-    def _word(self, word: Word) -> None:
+    def _word(self, word: Term) -> None:
         state = self._state
         if word.cat == "punct" and word.value in BOUNDARIES:
             self._end_sentence()
@@ -80,21 +80,21 @@ class ClauseReader:
             else:
                 self._joint(word)
 
-    def _joint(self, word: Word) -> None:
+    def _joint(self, word: Term) -> None:
         """A word between phrases or clauses: "and", a comma, "where", "that"."""
         state, following = self._state, self._state.at(1)
-        if word.value == "before" and getattr(following, "cat", "") == "quantity":
+        if word.value == "before" and following.cat == "quantity":
             return  # "and after 3 s brakes": a moment, no clause
         ends = word.value == "," or word.cat in {"conj", "sub"}
         if ends and {"neg:not", "unknown"} <= state.between:
             state.between.discard("neg:not")  # "stands still but not centred, and I hit it"
-        denied = ends and getattr(state.at(-1), "cat", "") == "neg"
+        denied = ends and state.at(-1).cat == "neg"
         if denied and isinstance(following, Mention):  # "It can't, we ram it"
             state.between = {w for w in state.between if not w.startswith(("neg:", "aux:"))}
         state.between.add(word.value if word.cat in {"punct", "conj"} else word.cat)
         if word.cat == "conj" and word.value != "either":
             state.between.add("conj")
-            state.between |= {"neg:not"} if word.term.data.get("denies") else set()
+            state.between |= {"neg:not"} if word.data.get("denies") else set()
         if word.cat == "conj" and word.value in {"and", "but"}:
             who = state.candidate
             somewhere = who is not None and any(p.predicate for p in who.pps)
@@ -106,12 +106,12 @@ class ClauseReader:
             state.resumed = [e for e in state.events if e.finite and e.subject]
         if word.cat == "sub" or word.value == ",":
             state.where = word.value == "where"
-        if word.cat == "rel" and _is_thing(state.at(-1 - is_word(state.at(-1), ","))):
+        if word.cat == "rel" and _is_thing(state.at(-1 - (state.at(-1).value == ","))):
             state.between.add("thing")
         if word.cat in {"sub", "conj"} and word.value != "or" and state.candidate_done:
             state.candidate = None
 
-    def _governed_on(self, word: Word) -> bool:
+    def _governed_on(self, word: Term) -> bool:
         """``from either the left or …``, ``without the two touching``, ``overtakes the two of us``.
 
         So it is in "without ever braking".
@@ -125,7 +125,7 @@ class ClauseReader:
 
     def _put_between(self) -> bool:
         """``and, when …``: after that clause the one before goes on."""
-        before = [c.value for c in self._state.before(2) if isinstance(c, Word)]
+        before = [c.value for c in self._state.before(2) if isinstance(c, Term)]
         return before[-1:] in (["and"], ["but"]) or before in (["and", ","], ["but", ","])
 
     def _where(self) -> None:
@@ -133,10 +133,10 @@ class ClauseReader:
         places = [c for c in self._state.before(2) if isinstance(c, Place)]
         for place in places[-1:]:
             if place.kind in _LANES:
-                word = Word(Term("prep", "in", place.i, place.i + 1))
+                word = Term("prep", "in", place.i, place.i + 1)
                 self._state.fronted.append(Prep(word, place, fronted=True))
 
-    def _adverb(self, word: Word) -> None:
+    def _adverb(self, word: Term) -> None:
         state = self._state
         if word.cat in {"aux", "neg"}:
             state.between -= {"aux:be"} if word.value == "will" else set()  # "is going to cut in"
@@ -150,32 +150,32 @@ class ClauseReader:
         waits = isinstance(verb, Event) and verb.control
         opens = word.cat == "manner" and isinstance(following, Event) and following.form == "s"
         if opens and after_event and not state.candidate_done:
-            state.ahead.append(word.term)  # "a cyclist riding ahead suddenly turns"
+            state.ahead.append(word)  # "a cyclist riding ahead suddenly turns"
             return
         copular = "aux:be" in state.between and not before_event and word.cat == "manner"
         if copular and state.waiting is not None:
-            state.waiting.mods.append(word.term)  # "the one behind me is too close"
+            state.waiting.mods.append(word)  # "the one behind me is too close"
             return
         predicate = not before_event or word.cat in {"dir", "state", "compass"}
         relative = word.cat == "quantity" and bool(state.events) and not state.between
         before_event = before_event and (not relative or self._clause_start())
         noun = state.last_pp or state.anchor
         if word.cat == "state" and isinstance(noun, Mention) and {","} == state.between:
-            noun.mods.append(word.term)  # "hits the van, by then stationary, in the rear"
+            noun.mods.append(word)  # "hits the van, by then stationary, in the rear"
         elif "rel" in state.between and state.mentions and predicate:
-            state.mentions[-1].mods.append(word.term)
+            state.mentions[-1].mods.append(word)
         elif before_event and (not after_event or waits) and word.cat not in {"dir", "compass"}:
-            state.ahead.append(word.term)
+            state.ahead.append(word)
         elif state.events and not self._clause_start():
-            state.events[-1].mods.append(word.term)
+            state.events[-1].mods.append(word)
         elif state.candidate is not None:
-            state.candidate.mods.append(word.term)
-        elif word.cat == "manner" and isinstance(state.at(1 + is_word(following, ",")), Mention):
-            state.ahead.append(word.term)  # "Suddenly a van …", "In reverse, the ego …"
+            state.candidate.mods.append(word)
+        elif word.cat == "manner" and isinstance(state.at(1 + (following.value == ",")), Mention):
+            state.ahead.append(word)  # "Suddenly a van …", "In reverse, the ego …"
         elif self.events and not state.mentions and word.cat != "quantity":
-            self.events[-1].mods.append(word.term)
+            self.events[-1].mods.append(word)
 
-    def _denied_way(self, word: Word) -> bool:
+    def _denied_way(self, word: Term) -> bool:
         """``turns right, not left``."""
         state = self._state
         denied = word.cat == "dir" and bool(state.events) and "neg:not" in state.between
@@ -200,10 +200,10 @@ class ClauseReader:
         following = self._state.at(1)
         finite = not event.nominal and event.form != "ing"
         before, opener = (self._state.at(n) for n in (-1, -2))
-        if isinstance(before, Word) and before.cat == "conj":
+        if before.cat == "conj":
             return False  # "comes up from behind and overtakes the ego"
-        adverb = isinstance(before, Word) and before.cat == "manner" and event.name == "move"
-        opens = opener is None or (isinstance(opener, Word) and opener.cat in _OPENERS)
+        adverb = before.cat == "manner" and event.name == "move"
+        opens = opener is NOTHING or opener.cat in _OPENERS
         fronted = bool(self._state.fronted) or (adverb and opens)
         return fronted and finite and isinstance(following, Mention)
 
@@ -243,7 +243,7 @@ class ClauseReader:
         event.sentence = self._sentence
         event.mods += state.ahead
         state.ahead = []
-        if relatives.close(event, state):
+        if close_relative(event, state):
             self.events.append(event)
             return
         if self._inverted(event):
@@ -282,6 +282,6 @@ class ClauseReader:
         return any(word is not None and word.value == "without" for word in (by, own))
 
 
-def _is_thing(chunk: Chunk | None) -> bool:
+def _is_thing(chunk: Chunk) -> bool:
     """``a fallen tree that blocks the lane``: the tree does it, and no participant."""
     return isinstance(chunk, Thing) and chunk.lies_there

@@ -1,12 +1,17 @@
-"""Nouns and verbs joined by "and", "or" or commas: what the second shares with the first."""
+"""Nouns and verbs joined by "and", "or" or commas: what they share, and what is shared out."""
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from dataclasses import replace
+from itertools import groupby
+
+from scegen.understanding.chunks import Event, Mention, Place, Prep
 from scegen.understanding.clauses.dependents import alternative, chain
 from scegen.understanding.clauses.located import is_it
 from scegen.understanding.clauses.state import State
-from scegen.understanding.phrases.lookahead import is_word, sentence_end
+from scegen.understanding.phrases.lookahead import sentence_end
+from scegen.understanding.phrases.nominal import WAYS
+from scegen.understanding.words.terms import NOTHING, Term
 
 _SHAPES = {"base": "inf", "ing": "ing"}
 """What a verb is without an auxiliary, by its form; any other is finite."""
@@ -116,7 +121,7 @@ def joins(mention: Mention, state: State) -> bool:
     if not (isinstance(anchor, Mention) and listed) or state.between & {"sub", "copy"}:
         return False
     joint = state.at(-1)
-    if isinstance(joint, Word) and "next" in joint.term.data and state.verb_follows:
+    if isinstance(joint, Term) and "next" in joint.data and state.verb_follows:
         return False  # "…, and then the van brakes": what happens next
     if mention.pronoun in {"count", "one", "another"} and "," in state.between:
         return False  # "four vans, two turning left": some of them, not further ones
@@ -124,7 +129,7 @@ def joins(mention: Mention, state: State) -> bool:
     waiting = waiting and not any(anchor in event.subject for event in state.events)
     said = bool({"aux:be", "aux:have"} & state.between) or _is_somewhere(anchor, state)
     said = said or state.being is not None
-    told = state.verb_follows or is_word(state.at(1), "be")
+    told = state.verb_follows or state.at(1).value == "be"
     complete = said and told  # "I'm here and a van …", "and a van is behind it"
     if complete or (state.between == {","} and not (waiting and _list_goes_on(state))):
         return False
@@ -147,18 +152,15 @@ def joins(mention: Mention, state: State) -> bool:
 def _is_somewhere(who: Mention, state: State) -> bool:
     """``we're in the left lane of the motorway and a van …``: a clause of its own, without verb."""
     since = [c for c in state.chunks[: state.k] if c.i >= who.j]
-    return any(isinstance(c, Word) and (c.cat, c.value) == ("aux", "be") for c in since)
+    return any((c.cat, c.value) == ("aux", "be") for c in since)
 
 
 def _list_goes_on(state: State) -> bool:
     """``a car, a van and a bus``: a comma alone does not make a list."""
     rest = state.chunks[state.k + 1 : sentence_end(state.chunks, state.k + 1)]
-    joint = next((c for c in rest if isinstance(c, Event) or _joins(c)), None)
-    return _joins(joint)
-
-
-def _joins(chunk: Chunk | None) -> bool:
-    return chunk is not None and chunk.value in {"and", "or"}
+    joints = (c for c in rest if isinstance(c, Event) or c.value in {"and", "or"})
+    joint = next(joints, NOTHING)
+    return joint is not NOTHING and not isinstance(joint, Event)
 
 
 def _doing_the_same(mention: Mention, state: State) -> None:
@@ -186,5 +188,80 @@ def _in_parallel(anchor: Mention, state: State) -> bool:
     if not known or state.last is None or state.last.object is not anchor:
         return False
     before, place, after = (state.at(n) for n in (-3, -2, 1))
-    prep = isinstance(before, Word) and before.cat == "prep" and is_word(after, before.value)
+    prep = before.cat == "prep" and after.value == before.value
     return prep and isinstance(place, Place)
+
+
+_SHARED = ("compass", "dir")
+
+
+def share_out(events: list[Event], terms: list[Term]) -> list[Event]:
+    """The events with statements about several participants taken apart.
+
+    Nobody drives north and east at once: as many ways as participants are one for each, in
+    order, whether "respectively" is said or not. With it, the same holds for verbs ("stop and
+    turn left, respectively").
+    """
+    marks = [t.i for t in terms if t.value == "respectively"]
+    found: list[Event] = []
+    for event in events:
+        found += _apart(event)
+    for mark in marks:
+        _verbs(found, mark)
+    return found
+
+
+def _members(event: Event) -> list[Mention]:
+    """One mention for each participant that acts."""
+    return [replace(m, entities=[e]) for m in event.subject for e in m.entities]
+
+
+def _apart(event: Event) -> list[Event]:
+    count = len(event.doers)
+    if count < 2 or event.alternative is not None:
+        return [event]
+    shares = [ways for cat in _SHARED if (ways := _ways(event, cat, count))]
+    sides = _sides(event, count)
+    if not (shares or sides):
+        return [event]
+    gone = {m.i for share in shares for m in share}
+    mods = [m for m in event.mods if m.i not in gone]
+    pps = [p for p in event.pps if p not in sides]
+    return [
+        replace(
+            event,
+            subject=[who],
+            mods=[*mods, *(share[k] for share in shares)],
+            pps=[*pps, *sides[k : k + 1]],
+        )
+        for k, who in enumerate(_members(event))
+    ]
+
+
+def _ways(event: Event, cat: str, count: int) -> list[Term]:
+    """Headings or turns, if there are as many different ones as participants."""
+    ways = [m for m in event.mods if m.cat == cat and (cat != "dir" or m.value in WAYS)]
+    return ways if len(ways) == count and len({w.value for w in ways}) > 1 else []
+
+
+def _sides(event: Event, count: int) -> list[Prep]:
+    """``approach from the north and from the east``, ``in the left and in the right lane``."""
+    for word, group in groupby(event.pps, key=lambda p: p.value):
+        sides = [p for p in group if p.place is not None]
+        alike = word in {"from", "to"} or all(p.names("lane") for p in sides)
+        if alike and len(sides) == count:
+            return sides
+    return []
+
+
+def _verbs(events: list[Event], mark: int) -> None:
+    """As many verbs as participants before the word: one for each."""
+    before = [e for e in events if e.i < mark and e.subject and not e.nominal and e.control is None]
+    if not before:
+        return
+    last = before[-1]
+    alike = [e for e in before if e.sentence == last.sentence and e.doers == last.doers]
+    members = _members(last)
+    if len(alike) == len(members) > 1:
+        for event, who in zip(alike, members, strict=True):
+            event.subject = [who]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention, NounPhrase, Word
+from scegen.understanding.chunks import Event, Mention, NounPhrase
 from scegen.understanding.clauses.state import State
 
 _OPENING = frozenset({"against", "in", "with", "of"})
@@ -77,7 +77,7 @@ def nominal(event: Event, state: State) -> None:
 def _in_time(state: State) -> bool:
     """``after a cut-in``: the word before the noun."""
     word = state.at(-1)
-    return isinstance(word, Word) and word.value in {"after", "before"} and word.cat == "sub"
+    return word.value in {"after", "before"} and word.cat == "sub"
 
 
 def _opens(state: State) -> bool:

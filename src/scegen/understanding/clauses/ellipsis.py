@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import takewhile
 
 from scegen.scenario.acts import ActKind
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep
 from scegen.understanding.clauses.located import is_it
 from scegen.understanding.frames import acts
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at
+from scegen.understanding.phrases.lookahead import BOUNDARIES, cat_at, chunk_at
 from scegen.understanding.phrases.nominal import WAYS
 from scegen.understanding.phrases.predicates import complete
-from scegen.understanding.words.terms import Term
+from scegen.understanding.words.terms import NOTHING, Term
 from scegen.understanding.words.tokens import Token
 
 _JOINTS = frozenset({"and", "but", ",", "while", "when", ";"})
@@ -37,7 +38,7 @@ def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> li
         if not isinstance(chunk, Mention) or id(chunk) in acting or chunk.prep is not None:
             continue
         joint, verb = chunk_at(chunks, k - 1), _verb_before(chunk.i, events)
-        joined = isinstance(joint, Word) and joint.value in _JOINTS
+        joined = joint.value in _JOINTS
         joined = joined and "lateral" not in chunk.dirs  # "crossing car": it does that
         if verb is None or verb.premod_of is not None or not joined or not _ends(chunks, k + 2):
             continue
@@ -112,20 +113,26 @@ def _in_turn(event: Event, tokens: list[Token]) -> bool:
 
 
 def _denied(chunks: list[Chunk], events: list[Event]) -> list[Event]:
-    """``has to yield but does not``: the verb before, denied."""
+    """``has to yield but does not``, ``… but the car behind does not``: the verb before, denied."""
     found = []
     for k, chunk in enumerate(chunks[1:], start=1):
-        if not isinstance(chunk, Word) or chunk.cat != "neg":
+        if not isinstance(chunk, Term) or chunk.cat != "neg":
             continue
-        who, helper, after = (chunk_at(chunks, k + n) for n in (-2, -1, 1))
-        does = isinstance(helper, Word) and (helper.cat, helper.value) == ("aux", "do")
-        ends = after is None or (isinstance(after, Word) and after.value in _JOINTS | BOUNDARIES)
+        helper, after = chunk_at(chunks, k - 1), chunk_at(chunks, k + 1)
+        does = (helper.cat, helper.value) == ("aux", "do")
         verb = _verb_before(chunks[k - 1].i, events)
-        if does and ends and verb is not None:
-            subject = [who] if isinstance(who, Mention) and who.prep is None else verb.subject
+        if does and (after is NOTHING or _parts(after)) and verb is not None:
+            clause = takewhile(lambda c: not _parts(c), reversed(chunks[: k - 1]))
+            named = [c for c in clause if isinstance(c, Mention) and c.prep is None]
+            subject = named[-1:] or verb.subject
             again = _again(verb, subject, chunks[k - 1].i, chunk.j)
             found.append(replace(again, negated=True, modal=False, pps=[], mods=[]))
     return found
+
+
+def _parts(chunk: Chunk) -> bool:
+    """Whether a clause ends, or another begins, there."""
+    return isinstance(chunk, Term) and chunk.value in _JOINTS | BOUNDARIES
 
 
 def _verb_before(i: int, events: list[Event]) -> Event | None:
@@ -141,9 +148,9 @@ def _again(verb: Event, subject: list[Mention], i: int, j: int) -> Event:
 def _ends(chunks: list[Chunk], k: int) -> bool:
     """Whether the clause ends before a verb comes: nothing but a phrase of place may follow."""
     for chunk in chunks[k : k + _MOST_AFTER]:
-        if isinstance(chunk, Word) and (chunk.value in _JOINTS or chunk.value in BOUNDARIES):
+        if chunk.value in _JOINTS or chunk.value in BOUNDARIES:
             return True
-        if isinstance(chunk, Event | Mention) or (isinstance(chunk, Word) and chunk.cat == "aux"):
+        if isinstance(chunk, Event | Mention) or (chunk.cat == "aux"):
             return False
     return True
 
@@ -156,13 +163,13 @@ def _copy(verb: Event, who: Mention, chunks: list[Chunk], k: int) -> list[Event]
         chunks[k] = rest = place  # "one takes the first exit, the other the second"
     if isinstance(rest, NounPhrase) and type(rest) is type(verb.object):
         return [replace(_again(verb, [who], rest.i, rest.j), object=rest)]
-    if not isinstance(rest, Word) or rest.cat != "prep":
+    if not isinstance(rest, Term) or rest.cat != "prep":
         return []
-    if isinstance(target, Word) and (target.cat, target.value) == ("quantity", "speed"):
+    if (target.cat, target.value) == ("quantity", "speed"):
         # "from the left a man crosses at 3 km/h and a woman at 7 km/h"
         mods = [m for m in verb.mods if (m.cat, m.value) != ("quantity", "speed")]
         alike = len(mods) < len(verb.mods) and chunks[k - 2].value in {"and", "but", "while"}
-        ends = getattr(chunk_at(chunks, k + 2), "cat", "punct") in {"punct", "conj", "sub"}
+        ends = cat_at(chunks, k + 2) in {"", "punct", "conj", "sub"}
         alike = alike and ends and not (who.is_ego or isinstance(verb.object, Mention))
         return [replace(_again(verb, [who], rest.i, target.j), mods=mods)] if alike else []
     if not isinstance(target, Place):

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from typing import TypeGuard
 
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import (
     GOVERNING,
     behind_insertion,
     cat_at,
     chunk_at,
-    is_word,
     sentence_end,
     value_at,
 )
@@ -37,8 +36,8 @@ def loci_of(mention: Mention) -> set[str]:
     """
     told = (p for p in mention.pps if not (p.predicate or p.outer == "from" or _by_another(p)))
     loci = {p.value for p in told if p.word.cat == "locus"}
-    loci |= {"behind"} if mention.trails else set()
-    return loci | ({"elsewhere"} if mention.elsewhere else set())
+    loci |= {"behind"} if "trails" in mention.marks else set()
+    return loci | (mention.marks & {"elsewhere"})
 
 
 def _by_another(prep: Prep) -> bool:
@@ -100,15 +99,15 @@ def _lane_beside(lane: Place, side: Place, state: State) -> bool:
     if not within or not set(side.dirs) & {"left", "right"}:
         return False
     whose, who = state.at(1), state.at(2)
-    owned = is_word(whose, "of") and isinstance(who, Mention)
+    owned = whose.value == "of" and isinstance(who, Mention)
     if owned and isinstance(who, Mention):
         lane.beside = who
     verb = state.at(-3)  # "enters the lane to the left"
     gone_to = isinstance(verb, Event) and verb.name != "leave"
     there = lane.kind == "lane" and (gone_to or lane.prep is not None or "adjacent" in lane.dirs)
     there = there and side.stands_after(*_ASIDE)
-    there = there and lane.owner is None and not lane.possessed
-    return owned or there or side.possessed
+    there = there and lane.owner is None and not lane.has("possessive")
+    return owned or there or side.has("possessive")
 
 
 _SIDES = frozenset({"side", "direction", "lane", "sidewalk", "shoulder", "bike_lane", "access",
@@ -171,14 +170,14 @@ def _stands_before_subject(chunks: list[Chunk], m: int) -> bool:
 
 def _word_of(chunks: list[Chunk], m: int, classes: frozenset[str]) -> bool:
     chunk = chunk_at(chunks, m)
-    return isinstance(chunk, Word) and chunk.cat in classes
+    return chunk.cat in classes
 
 
 def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
     """Index after a phrase of place that begins at chunk ``k``; None if none does."""
     first = chunks[k]
     m = k + 1
-    locus = isinstance(first, Word) and first.cat == "locus"
+    locus = first.cat == "locus"
     while _word_of(chunks, m, GOVERNING):
         locus |= _word_of(chunks, m, frozenset({"locus"}))
         m += 1

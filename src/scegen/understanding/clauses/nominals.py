@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing, Word
-from scegen.understanding.clauses import relatives
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.clauses.attachment import attach
 from scegen.understanding.clauses.coordination import joins
-from scegen.understanding.clauses.located import place_in_front, side_of_place
-from scegen.understanding.clauses.phrases import (
+from scegen.understanding.clauses.further import (
     also_from,
     apposed_to,
     bracketed,
     further_ones,
+    opens_relative,
     partitive_before,
     relative_noun,
 )
+from scegen.understanding.clauses.located import place_in_front, side_of_place
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.doings_named import DONE_TO
-from scegen.understanding.phrases.lookahead import finite_follows, is_word
+from scegen.understanding.phrases.lookahead import finite_follows
+from scegen.understanding.words.terms import NOTHING
 
 _REACH = 3
 _PARTS = frozenset({"side", "flank"})
@@ -38,7 +39,7 @@ def read_mention(mention: Mention, state: State) -> None:
     if state.prep is not None:
         _prepositional(mention, state.prep, state)
         return
-    if relatives.opens(mention, state):
+    if opens_relative(mention, state):
         return
     anchor = state.anchor
     direct = isinstance(anchor, Event) and not anchor.nominal and not state.between
@@ -85,7 +86,7 @@ def _takes(verb: Event, state: State) -> bool:
     """Whether a noun after a verb is its object; "he said the van stopped" tells of the van."""
     if _waits_for_subject(verb, state) or _goes_on_with(verb, state):
         return False
-    tells = verb.says or (verb.control == "subject" and isinstance(state.at(0), Mention))
+    tells = "says" in verb.data or (verb.control == "subject" and isinstance(state.at(0), Mention))
     reported = tells and state.verb_follows
     return verb.object is None and not reported
 
@@ -93,12 +94,12 @@ def _takes(verb: Event, state: State) -> bool:
 def _goes_on_with(verb: Event, state: State) -> bool:
     """``once it has cut in it brakes``: the next verb has no other subject."""
     complete = verb.finite and state.candidate_done and state.relative is None
-    following = next((c for c in state.after(3) if getattr(c, "cat", "") != "manner"), None)
+    following = next((c for c in state.after(3) if c.cat != "manner"), NOTHING)
     if not complete or verb.control == "object":
         return False
     if isinstance(following, Event):
         return following.form == "s" and not following.nominal
-    return isinstance(following, Word) and following.cat == "aux"
+    return following.cat == "aux"
 
 
 def _waits_for_subject(verb: Event, state: State) -> bool:
@@ -177,7 +178,7 @@ def _prepositional(mention: Mention, prep: Prep, state: State) -> None:
         done.subject, done.form, done.nominal, done.finite = [mention], "s", False, True
     named = prep.value in {"with", "against"}
     if prep.value == "of" and state.anchor is not None and prep.on_mention is not None:
-        prep.on_mention.partitive, prep.on_mention.whole = True, mention
+        prep.on_mention.whole = mention
         return
     if state.waiting is not None and state.verb_follows:
         state.last_pp = mention
@@ -235,7 +236,7 @@ def _whole(part: NounPhrase, state: State) -> tuple[NounPhrase, int]:
     """``the left part of the ego's front``: what it is a part of, and how far behind."""
     owner = state.at(2)
     behind = 3 if isinstance(owner, Mention) and owner.possessor else 2
-    whole = state.at(behind) if is_word(state.at(1), "of") else None
+    whole = state.at(behind) if state.at(1).value == "of" else None
     return (whole, behind) if isinstance(whole, Place | Thing) else (part, 0)
 
 

@@ -67,7 +67,7 @@ class State:
     dependent: bool = False
     outside: tuple[Mention | None, bool] = None, False
 
-    def at(self, n: int) -> Chunk | None:
+    def at(self, n: int) -> Chunk:
         """The chunk so many after the one that is read, or before it."""
         return chunk_at(self.chunks, self.k + n)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention, Place, teller_at
+from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.clauses.coordination import auxiliary, coordinate, no_jam, told_beside
 from scegen.understanding.clauses.dependents import (
     chain,
@@ -12,10 +12,11 @@ from scegen.understanding.clauses.dependents import (
     infinitive,
     nominal,
 )
+from scegen.understanding.clauses.further import antecedent, is_closed, located, told
 from scegen.understanding.clauses.located import RESTING
-from scegen.understanding.clauses.relatives import antecedent, closed, told
 from scegen.understanding.clauses.state import State
-from scegen.understanding.phrases.lookahead import is_word, main_verb_follows
+from scegen.understanding.phrases.doings_named import teller_at
+from scegen.understanding.phrases.lookahead import main_verb_follows
 
 PASSIVE = frozenset(
     {"collide", "cut_off", "block", "follow", "overtake", "bypass", "hide", "tailgate", "cause",
@@ -93,7 +94,7 @@ def _said_of_a_thing(event: Event, state: State) -> None:
     if "aux:be" in state.between:
         if passive:
             event.passive, event.object = event.name in PASSIVE, topic
-    elif topic is not None and (event.name in _OF_PARTS or is_word(state.at(1), "into")):
+    elif topic is not None and (event.name in _OF_PARTS or state.at(1).value == "into"):
         its = state.main if topic.has("possessive", "its") else []
         its = [teller_at(topic.i)] if topic.has("possessive", "first_person") else its
         # "the front of the van struck …", "its front appears …", "my bumper runs into …"
@@ -103,7 +104,7 @@ def _said_of_a_thing(event: Event, state: State) -> None:
 def _clause(event: Event, state: State) -> None:
     anchor = state.anchor
     between = state.between
-    event.embedded = ("rel" in between and not closed(state)) or state.where
+    event.embedded = ("rel" in between and not is_closed(state)) or state.where
     event.supplement = {"rel", ","} <= between
     noun = _noun_described(event, state) if event.reduced else None
     if noun is not None:
@@ -229,7 +230,7 @@ def _past_an_aside(event: Event, state: State) -> Mention | None:
 
 def _on_foot(event: Event, state: State) -> Mention | None:
     """``a child …, running``: who is on foot."""
-    on_foot = [m for m in state.mentions if m.is_person]
+    on_foot = [m for m in state.mentions if m.noun == "pedestrian"]
     return on_foot[-1] if event.name == "walk" and on_foot else None
 
 
@@ -273,7 +274,7 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
     within = anchor.stands_after("in") and anchor.is_mass
     if last is not None and within and event.form == "ing":
         event.subject = last.subject  # "is stopped in traffic waiting to turn"
-    elif known and anchor.is_landmark and not event.finite and state.candidate is not None:
+    elif known and located(anchor) and not event.finite and state.candidate is not None:
         event.subject = chain(state.candidate)  # "the car in front of it reversing towards it"
     elif done_to is not None and not event.finite and _by_doing(event, done_to, known, state):
         event.subject = done_to.subject

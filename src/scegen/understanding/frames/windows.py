@@ -42,7 +42,8 @@ class Window:
         """
         if frame.verb and not verbs & frame.verb:
             return False
-        if frame.near and not any(self._near(p) for p in frame.near):
+        around = self.before, self.after
+        if frame.near and not any(f" {p} " in words for p in frame.near for words in around):
             return False
         if any(self.after.startswith(f" {p} ") or self.preceded(p) for p in frame.unless):
             return False
@@ -61,9 +62,6 @@ class Window:
         return at >= 0 and _any_of("fillers", "links").issuperset(
             self.before[at + len(name) + 2 :].split()
         )
-
-    def _near(self, phrase: str) -> bool:
-        return f" {phrase} " in self.before or f" {phrase} " in self.after
 
     def preceded(self, phrase: str) -> bool:
         """Whether a phrase stands before the number; short words only right before it."""
@@ -206,14 +204,6 @@ def frame_of(dimension: str, value: float, around: Window, verbs: frozenset[str]
     return AmountFrame(dimension, "other", instead="a measure that no rule could attach; left out")
 
 
-@dataclass(frozen=True, slots=True)
-class Measured:
-    """The words around a number, and what they make of it."""
-
-    around: Window
-    frame: AmountFrame
-
-
 class Numbers:
     """The numbers of a text.
 
@@ -237,8 +227,10 @@ class Numbers:
         self._around: dict[int, Window] = {}
         self._behind = {t.i: t.j - t.i for t in terms if (t.cat, t.value) == ("locus", "behind")}
 
-    def measured(self, quantity: Quantity, verb: str = "", at: int | None = None) -> Measured:
-        """A number with its role.
+    def measured(
+        self, quantity: Quantity, verb: str = "", at: int | None = None
+    ) -> tuple[Window, AmountFrame]:
+        """The words around a number, and what they make of it.
 
         Args:
             quantity: the number.
@@ -254,4 +246,4 @@ class Numbers:
             rest = around.after.split()[self._behind[quantity.j] :]
             around = replace(around, after=f" {' '.join(['behind', *rest])} ")
         low, verbs = quantity.value.low, frozenset([verb, *lemma])
-        return Measured(around, frame_of(quantity.dimension, low, around, verbs))
+        return around, frame_of(quantity.dimension, low, around, verbs)

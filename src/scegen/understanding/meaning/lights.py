@@ -7,14 +7,14 @@ from dataclasses import dataclass
 
 from scegen.scenario.signals import AtLight
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at, value_at
+from scegen.understanding.road import absent
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.rows import say
-from scegen.understanding.words import absent
 from scegen.understanding.words.terms import Term
 
 _TURNS = "nothing says what anybody does as the light changes; it changes by its plan"
@@ -112,7 +112,7 @@ def _before(chunks: list[Chunk]) -> list[Entity]:
             return list(chunk.entities)
         if isinstance(chunk, Place) and chunk.owner is not None:
             return _owner(chunk)
-        if isinstance(chunk, Event) or (isinstance(chunk, Word) and chunk.value in BOUNDARIES):
+        if isinstance(chunk, Event) or (chunk.value in BOUNDARIES):
             break
     return []
 
@@ -171,7 +171,8 @@ def _answer(light: _Light, change: Clause, clauses: list[Clause], context: Conte
                 _note(entity, meets, _joined(event, clause.event), context)
             return
     for entity in light.whose if colour is AtLight.GREEN else []:
-        _note(entity, AtLight.WAITS if entity.held else AtLight.GREEN, change.words, context)
+        meets = AtLight.WAITS if "held" in entity.told else AtLight.GREEN
+        _note(entity, meets, change.words, context)
     here = [c for c in clauses if c.event.sentence == event.sentence and not c.event.negated]
     for clause in here if colour is AtLight.RED else []:  # who keeps the rules stops there
         if clause.event.name == "approach" and _link(clause, change, context) != "after":
@@ -219,7 +220,7 @@ def _report(
     draft = context.draft
     told = [e.light[1] for e in draft.entities if e.light is not None]
     told += [d.basis for d in draft.dangers if d.kind is HazardKind.RED_LIGHT_RUNNING]
-    held = any(e.held or e.stands is not None for e in draft.entities)
+    held = any("held" in e.told or e.stands is not None for e in draft.entities)
     for light in [] if told or held else lights:
         if light.change is None:
             draft.note(light.place.i, light.place.j, _NOBODYS)

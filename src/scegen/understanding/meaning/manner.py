@@ -1,14 +1,17 @@
-"""Which way, in which manner and in which state somebody drives or stands, by words beside it."""
+"""How somebody drives or stands, in answer to what, and which rules that breaks."""
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import Approach, HazardKind
-from scegen.understanding.chunks import Event, Mention
+from scegen.scenario.vocabulary import Approach, Control, DrivingSide, HazardKind
+from scegen.understanding.chunks import Chunk, Event, Mention, Place
+from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis, Entity
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.meaning import placing
 from scegen.understanding.semantics.conditions import holds
 from scegen.understanding.semantics.context import Clause, Context, clause_of
 from scegen.understanding.semantics.marks import comes_to_rest, in_the_lane
+from scegen.understanding.semantics.met import into_rear
 from scegen.understanding.words.terms import Term
 
 
@@ -65,58 +68,156 @@ _TRAVEL = frozenset({"move", "approach", "enter", "merge", "turn", "cross", "fol
                      "bypass", "leave", "lane_change", "accelerate", "speed", "try"})  # fmt: skip
 
 
-class Manners:
-    """Notes what words of manner and state say."""
+def told_by(term: Term, entities: list[Entity], context: Context) -> None:
+    """``a slow van``, ``a parked car``."""
+    drivers = [e for e in entities if e.moving_vehicle]
+    kind = _BY_MANNER.get(term.value) if term.cat == "manner" else None
+    slow = kind is HazardKind.SLOW_DRIVING
+    if slow:  # the ego under test may drive as slowly as it likes
+        drivers = [e for e in drivers if "ego" not in e.named_by or "speaks" in e.named_by]
+    own = (
+        slow and "quantity" in term.data and all(e.ego for e in drivers)
+    )  # "I was only doing 25 km/h"
+    if kind is not None and drivers and not own:
+        context.draft.hazard(kind, Basis(term.i, term.j), drivers)
+    elif term.cat == "manner" and term.value == "close":
+        follows = [e for e in drivers if context.placed(e, Approach.BEHIND)]
+        if follows:
+            context.draft.hazard(HazardKind.TAILGATING, Basis(term.i, term.j), follows)
+    elif term.cat == "state":
+        state(term, entities, context)
 
-    def __init__(self, context: Context) -> None:
-        self._context = context
-        self._draft = context.draft
 
-    def word(self, term: Term, entities: list[Entity]) -> None:
-        """``a slow van``, ``a parked car``."""
-        drivers = [e for e in entities if e.moving_vehicle]
-        kind = _BY_MANNER.get(term.value) if term.cat == "manner" else None
-        slow = kind is HazardKind.SLOW_DRIVING
-        if slow:  # the ego under test may drive as slowly as it likes
-            drivers = [e for e in drivers if "ego" not in e.named_by or "speaks" in e.named_by]
-        own = (
-            slow and "quantity" in term.data and all(e.ego for e in drivers)
-        )  # "I was only doing 25 km/h"
-        if kind is not None and drivers and not own:
-            self._draft.hazard(kind, Basis(term.i, term.j), drivers)
-        elif term.cat == "manner" and term.value == "close":
-            follows = [e for e in drivers if self._context.placed(e, Approach.BEHIND)]
-            if follows:
-                self._draft.hazard(HazardKind.TAILGATING, Basis(term.i, term.j), follows)
-        elif term.cat == "state":
-            state(term, entities, self._context)
-
-    def verb(self, clause: Clause) -> None:
-        """``drives northbound``, ``approaches head-on``, ``backs out slowly``."""
-        event = clause.event
-        travels = event.name in _TRAVEL
-        for term in event.mods:
-            if term.cat == "compass":
-                placing.heading(term, clause.actors)
-            elif (term.cat, term.value) == ("dir", "opposite") and travels:
-                for entity in clause.drivers:
-                    self._draft.place(entity, None, {Approach.OPPOSITE}, Basis(term.i, term.j))
-            elif term.cat == "state":
-                self.word(term, clause.actors)
-            elif (term.cat, term.value) == ("manner", "head_on"):
-                self._meet_head_on(term, clause)
-        for term in event.mods if travels or not event.nominal else []:
-            slows = term.value == "slow" and (clause.reaction or not travels)  # "brakes slowly"
-            aside = term.value == "wrong_way" and any(p.names("sidewalk") for p in event.pps)
-            if term.cat == "manner" and term.value in _BY_MANNER and not (slows or aside):
-                self.word(term, clause.drivers)
-
-    def _meet_head_on(self, term: Term, clause: Clause) -> None:
-        """``a motorcycle approaches head-on``: who collides so has come from the front, too."""
-        if len(clause.drivers) > 1 and not clause.targets:
+def told_with(clause: Clause, context: Context) -> None:
+    """``drives northbound``, ``approaches head-on``, ``backs out slowly``."""
+    event = clause.event
+    travels = event.name in _TRAVEL
+    for term in event.mods:
+        if term.cat == "compass":
+            placing.heading(term, clause.actors)
+        elif (term.cat, term.value) == ("dir", "opposite") and travels:
             for entity in clause.drivers:
-                entity.opposed |= {e.index for e in clause.drivers} - {entity.index}
-            return  # "two trucks meet head-on"
-        for entity in clause.drivers if clause.event.name in _COMING else []:
-            to = next((e for e in clause.targets if e.moving_vehicle), None)
-            self._draft.place(entity, to, {Approach.OPPOSITE}, Basis(term.i, term.j))
+                context.draft.place(entity, None, {Approach.OPPOSITE}, Basis(term.i, term.j))
+        elif term.cat == "state":
+            told_by(term, clause.actors, context)
+        elif (term.cat, term.value) == ("manner", "head_on"):
+            _meet_head_on(term, clause, context)
+    for term in event.mods if travels or not event.nominal else []:
+        slows = term.value == "slow" and (clause.reaction or not travels)  # "brakes slowly"
+        aside = term.value == "wrong_way" and any(p.names("sidewalk") for p in event.pps)
+        if term.cat == "manner" and term.value in _BY_MANNER and not (slows or aside):
+            told_by(term, clause.drivers, context)
+
+
+def _meet_head_on(term: Term, clause: Clause, context: Context) -> None:
+    """``a motorcycle approaches head-on``: who collides so has come from the front, too."""
+    if len(clause.drivers) > 1 and not clause.targets:
+        for entity in clause.drivers:
+            entity.opposed |= {e.index for e in clause.drivers} - {entity.index}
+        return  # "two trucks meet head-on"
+    for entity in clause.drivers if clause.event.name in _COMING else []:
+        to = next((e for e in clause.targets if e.moving_vehicle), None)
+        context.draft.place(entity, to, {Approach.OPPOSITE}, Basis(term.i, term.j))
+
+
+_BRAKING = frozenset({"brake", "slow", "stop"})
+_NOTICING = frozenset({"encounter", "overlook", "react"})
+
+
+def mark_answers(events: list[Event]) -> None:
+    """``braked but could not avoid the van``: who tries to avoid something brakes as an answer."""
+    avoiding = [e for e in events if e.name == "avoid"]
+    for event in events:
+        if event.name in _BRAKING and not event.nominal:
+            event.modal = event.modal or any(_together(event, e) for e in avoiding)
+
+
+def mark_late(events: list[Event], context: Context) -> None:
+    """``failed to stop and hit it from behind``: for the one in front, not for a sign."""
+    stopped = [e for e in events if e.name in {"stop", "wait", "park"} and e.finite]
+    standing = {who.index for event in stopped if not event.negated for who in event.doers}
+    hits = [e for e in events if e.name == "collide"]
+    entered = [e for e in events if any(p.value == "into" for p in e.pps)]  # "runs into its rear"
+    rear_ends = [e for e in (*hits, *entered) if into_rear(e, context)]
+    stood = [e for e in hits if _into_one_of(e, standing)]
+    for event in events:
+        if event.name in _BRAKING | _NOTICING and not event.nominal:
+            failed = event.link != "ing"  # unlike "rode on without stopping and hit it"
+            event.late = any(_together(event, e) for e in (*rear_ends, *(stood if failed else ())))
+
+
+def _into_one_of(event: Event, standing: set[int]) -> bool:
+    """Whether somebody is hit who stands."""
+    hit = event.object.entities if isinstance(event.object, Mention) else []
+    return not event.passive and any(e.index in standing for e in hit)
+
+
+def _together(one: Event, other: Event) -> bool:
+    return one.sentence == other.sentence and one.subject == other.subject
+
+
+_FROM_THE_SIDE = frozenset({Approach.LEFT, Approach.RIGHT})
+_MARGIN = 1.1
+_ANYWHERE_MPS = 44.0
+"""About 100 mph: too fast wherever there is a limit."""
+
+
+def onto_the_road(draft: Draft, side: DrivingSide) -> None:
+    """Who comes from the side and turns left in front of somebody fails to give way.
+
+    An unprotected left turn is one across oncoming traffic.
+    """
+    for danger in draft.dangers:
+        across = danger.kind is HazardKind.UNPROTECTED_LEFT_TURN and side is DrivingSide.RIGHT
+        aside = all(e.approaches and e.approaches <= _FROM_THE_SIDE for e in danger.by)
+        if across and danger.by and aside:
+            danger.kind = HazardKind.FAILURE_TO_YIELD
+
+
+def too_fast(draft: Draft, limit_mps: float | None) -> None:
+    """``at 60 mph in a 35 mph zone``: speeding, though nobody says the word."""
+    allowed = limit_mps * _MARGIN if limit_mps is not None else _ANYWHERE_MPS
+    for entity in draft.entities:
+        speed, basis = entity.speed, entity.speed_basis
+        if not entity.moving_vehicle or speed is None or basis is None:
+            continue
+        if speed.low >= allowed:
+            draft.hazard(HazardKind.SPEEDING, basis, [entity])
+
+
+_GOING = frozenset({"move", "turn", "enter", "cross", "pull_out", "cut_in", "accelerate", "leave",
+                    "sharp_turn", "speed", "breach", "dash"})  # fmt: skip
+
+
+def out_of_turn(chunks: list[Chunk], events: list[Event], context: Context) -> None:
+    """``the ego was at the four-way stop first, but the van goes``: the van had to wait."""
+    tokens = context.tokens
+    at = _turn(chunks, context)
+    if at is None or not word_list("still") & {t.low for t in tokens}:
+        return
+    who = _who(at, chunks)
+    for event in events:
+        drivers = [e for e in event.doers if e.moving_vehicle]
+        goes = event.finite and event.name in _GOING and not (event.negated or event.modal)
+        if who and goes and drivers and not any(e in who for e in drivers):
+            basis = Basis(event.i, event.j)
+            context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, drivers, who)
+            return
+
+
+def _turn(chunks: list[Chunk], context: Context) -> int | None:
+    """Where it says that it is somebody's turn: "first" at an all-way stop, "has priority"."""
+    lows = context.lows(0, len(context.tokens))
+    if context.junction.control is Control.ALL_WAY_STOP and "first" in lows:
+        return lows.index("first")
+    for before, has, what in zip(chunks, chunks[1:], chunks[2:], strict=False):
+        way = isinstance(what, Place) and what.kind == "right_of_way" and not what.has("quant")
+        if way and has.value == "have" and before.cat != "neg" and context.junction.crossing:
+            return what.i
+    return None
+
+
+def _who(at: int, chunks: list[Chunk]) -> list[Entity]:
+    """Whom it is said of: the participant named last before it, outside phrases."""
+    named = [c for c in chunks if isinstance(c, Mention) and c.i < at and c.prep is None]
+    return list(named[-1].entities) if named else []

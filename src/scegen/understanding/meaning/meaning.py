@@ -7,18 +7,23 @@ from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thin
 from scegen.understanding.clauses.located import own_lane
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.meaning import placing, rows
-from scegen.understanding.meaning.breaches import out_of_turn
+from scegen.understanding.meaning import placing
 from scegen.understanding.meaning.lights import read_lights
-from scegen.understanding.meaning.manner import Manners, jam, note_braking
-from scegen.understanding.meaning.reactions import mark_answers, mark_late
+from scegen.understanding.meaning.manner import (
+    jam,
+    mark_answers,
+    mark_late,
+    note_braking,
+    out_of_turn,
+    told_by,
+    told_with,
+)
 from scegen.understanding.meaning.roadside import read_thing
 from scegen.understanding.phrases.listed import each_side, from_everywhere
 from scegen.understanding.semantics.context import (
     Clause,
     Context,
     clause_of,
-    clause_of_everybody,
     clause_of_noun,
     stray_clauses,
     without_nouns,
@@ -54,157 +59,155 @@ _ALL_TOLD = (
 """Families asked once everything that happens is known, each of which clauses."""
 
 
-class Interpreter:
-    """Turns events and mentions into statements about the scenario."""
+def interpret(chunks: list[Chunk], events: list[Event], context: Context) -> list[Clause]:
+    """Turns events and mentions into statements about the scenario.
 
-    def __init__(self, context: Context, manners: Manners) -> None:
-        self._context = context
-        self._draft = context.draft
-        self._manners = manners
-        self._clauses: list[Clause] = []
-        self._of_verbs: set[int] = set()
+    Returns:
+        What happens; first who is parked, as where they stand is known to all.
+    """
+    of_verbs = {
+        id(p)
+        for e in events
+        for p in e.pps
+        if _is_of_the_verb(p, e, context.draft.kerb) or _gone_to(p, e, context)
+    }
+    context.told_in_the_past = any(
+        e.finite and e.form == "ed" and e.name != "stop" and not e.passive for e in events
+    )  # "is hit" tells of now
+    told = [clause_of(e) for e in events]
+    of_nouns = {id(c): clause_of_noun(c) for c in chunks if isinstance(c, Mention)}
+    nouns = list(of_nouns.values())
+    for clause in told:
+        say("movements.sets_off", clause, context)
+    note_braking(events, context)
+    for clause in (*nouns, *map(without_nouns, told)):
+        say("nouns.numbered", clause, context)
+    _named(chunks, events, of_nouns, of_verbs, context)
+    mark_answers(events)
+    mark_late(events, context)
+    placing.line_up(chunks, events, context.draft)
+    clauses = sorted(told, key=lambda clause: not clause.tells_parked)
+    for clause in clauses:
+        _event(clause, context)
+    read_lights(clauses, chunks, context)
+    out_of_turn(chunks, events, context)
+    context.barred |= any(c.event.name in _PASSING for c in clauses)
+    of = {
+        "everybody": [Clause(Event("", 0, 0, ""), list(context.draft.entities), [])],
+        "verbs": clauses,
+        "own": [without_nouns(clause) for clause in clauses],
+        "nouns": nouns,
+        "strays": list(stray_clauses(chunks, [*nouns, *clauses])),
+    }
+    for family, among in _ALL_TOLD:
+        for clause in [c for name in among.split() for c in of[name]]:
+            say(family, clause, context)
+    return clauses
 
-    def run(self, chunks: list[Chunk], events: list[Event]) -> list[Clause]:
-        """All statements of a text.
 
-        Returns:
-            What happens, in the order of the text.
-        """
-        self._of_verbs = {
-            id(p)
-            for e in events
-            for p in e.pps
-            if _is_of_the_verb(p, e, self._draft.kerb) or self._gone_to(p, e)
-        }
-        self._context.told_in_the_past = any(
-            e.finite and e.form == "ed" and e.name != "stop" and not e.passive for e in events
-        )  # "is hit" tells of now
-        told = [clause_of(e) for e in events]
-        of_nouns = {id(c): clause_of_noun(c) for c in chunks if isinstance(c, Mention)}
-        nouns = list(of_nouns.values())
-        for clause in told:
-            say("movements.sets_off", clause, self._context)
-        note_braking(events, self._context)
-        for clause in (*nouns, *map(without_nouns, told)):
-            say("nouns.numbered", clause, self._context)
-        self._named(chunks, events, of_nouns)
-        mark_answers(events)
-        mark_late(events, self._context)
-        rows.line_up(chunks, events, self._draft)
-        for clause in sorted(told, key=lambda clause: not clause.tells_parked):
-            self._event(clause)  # where "a van parked on the right" stands is known to all
-        read_lights(self._clauses, chunks, self._context)
-        out_of_turn(chunks, events, self._context)
-        self._all_told(chunks, nouns)
-        return self._clauses
+def _gone_to(prep: Prep, event: Event, context: Context) -> bool:
+    """``10 m in front of it, a van changes lanes``: not there before."""
+    far = prep.fronted and ends_a_quantity(context.tokens, prep.word.i) is not None
+    return far and prep.value == "ahead" and event.name in _INTO
 
-    def _gone_to(self, prep: Prep, event: Event) -> bool:
-        """``10 m in front of it, a van changes lanes``: not there before."""
-        far = prep.fronted and ends_a_quantity(self._context.tokens, prep.word.i) is not None
-        return far and prep.value == "ahead" and event.name in _INTO
 
-    def _all_told(self, chunks: list[Chunk], nouns: list[Clause]) -> None:
-        """What follows once everything that happens is known."""
-        self._context.barred |= any(c.event.name in _PASSING for c in self._clauses)
-        of = {
-            "everybody": [clause_of_everybody(self._draft.entities)],
-            "verbs": self._clauses,
-            "own": [without_nouns(clause) for clause in self._clauses],
-            "nouns": nouns,
-            "strays": list(stray_clauses(chunks, [*nouns, *self._clauses])),
-        }
-        for family, among in _ALL_TOLD:
-            for clause in [c for name in among.split() for c in of[name]]:
-                say(family, clause, self._context)
+def _named(
+    chunks: list[Chunk],
+    events: list[Event],
+    of_nouns: dict[int, Clause],
+    of_verbs: set[int],
+    context: Context,
+) -> None:
+    """What nouns say, and the things on and beside the road."""
+    handled = {
+        id(e.object) for e in events if e.name in {"inert", "send"} and not e.passive
+    }  # "kicks a ball"
+    idle = {"hide", "collide", "light"}  # "a jam begins there", but not "begins to move"
+    acting = {id(m) for e in events for m in e.subject if e.name not in idle or e.children}
+    for k, chunk in enumerate(chunks):
+        if isinstance(chunk, Mention) and chunk.entities:
+            _mention(chunk, of_nouns[id(chunk)], of_verbs, context)
+            if id(chunk) not in acting:
+                jam(chunk, context)
+                say("nouns.idle", of_nouns[id(chunk)], context)
+        elif isinstance(chunk, Thing) and id(chunk) not in handled:
+            read_thing(chunk, k, chunks, context.draft)
+            context.screens += [chunk.i] if chunk.kind == "object" else []
+            context.barred |= chunk.lies_there
 
-    def _named(self, chunks: list[Chunk], events: list[Event], of_nouns: dict[int, Clause]) -> None:
-        """What nouns say, and the things on and beside the road."""
-        handled = {
-            id(e.object) for e in events if e.name in {"inert", "send"} and not e.passive
-        }  # "kicks a ball"
-        idle = {"hide", "collide", "light"}  # "a jam begins there", but not "begins to move"
-        acting = {id(m) for e in events for m in e.subject if e.name not in idle or e.children}
-        for k, chunk in enumerate(chunks):
-            if isinstance(chunk, Mention) and chunk.entities:
-                self._mention(chunk, of_nouns[id(chunk)])
-                if id(chunk) not in acting:
-                    jam(chunk, self._context)
-                    say("nouns.idle", of_nouns[id(chunk)], self._context)
-            elif isinstance(chunk, Thing) and id(chunk) not in handled:
-                read_thing(chunk, k, chunks, self._draft)
-                self._context.screens += [chunk.i] if chunk.kind == "object" else []
-                self._context.barred |= chunk.lies_there
 
-    def _mention(self, mention: Mention, clause: Clause) -> None:
-        placing.adjectives(mention, self._context)
-        say("nouns.noun", clause, self._context)
-        sides = [p for p in mention.pps if p.value in {"from", "in"} and p.names("side")]
-        for prep in mention.pps:
-            if id(prep) in self._of_verbs:
-                continue
-            if prep.value == "from" and each_side(prep) and len(mention.entities) > 1:
-                self._spread(prep, mention.entities)
-                continue
-            shared = len(sides) == len(mention.entities) > 1 and prep in sides
-            whom = [mention.entities[sides.index(prep)]] if shared else mention.entities
-            placing.phrase(prep, whom, None, self._context)
-        for term in mention.mods:
-            self._manners.word(term, mention.entities)
-        say("nouns.named", clause, self._context)
+def _mention(mention: Mention, clause: Clause, of_verbs: set[int], context: Context) -> None:
+    placing.adjectives(mention, context)
+    say("nouns.noun", clause, context)
+    sides = [p for p in mention.pps if p.value in {"from", "in"} and p.names("side")]
+    for prep in mention.pps:
+        if id(prep) in of_verbs:
+            continue
+        if prep.value == "from" and each_side(prep) and len(mention.entities) > 1:
+            _spread(prep, mention.entities, context)
+            continue
+        shared = len(sides) == len(mention.entities) > 1 and prep in sides
+        whom = [mention.entities[sides.index(prep)]] if shared else mention.entities
+        placing.phrase(prep, whom, None, context)
+    for term in mention.mods:
+        told_by(term, mention.entities, context)
+    say("nouns.named", clause, context)
 
-    def _event(self, clause: Clause) -> None:
-        event, context = clause.event, self._context
-        say("dangers.move_off", clause, context)
-        say("constructions.any", clause, context)
-        self._clauses.append(clause)
-        say("standing.any", clause, context)
-        self._places(clause)
-        say("positions.access", clause, context)
-        failed = event.parent is not None and event.parent.name == "fail"
-        say("dangers.answered", clause, context)
-        if event.negated or failed or event.name == "overlook":
-            say("omissions.any", clause, context)
-            return
-        say("dangers.unnamed", clause, context)
-        say("dangers.drives_on", clause, context)
-        self._manners.verb(clause)
-        say(f"movements.{event.name}", clause, context)
-        say("dangers.onto_the_road", clause, context)
-        say("dangers.after_a_thing", clause, context)
-        say(f"dangers.{event.name}", clause, context)
-        say("dangers.oncoming", clause, context)
-        say("dangers.from_behind", clause, context)
-        say("positions.first", clause, context)
 
-    def _places(self, clause: Clause) -> None:
-        """Where the phrases of a verb put those who act, or on whom it is done."""
-        event = clause.event
-        say("positions.from_the_side", clause, self._context)
-        aside = any(_ASIDE & e.maneuvers for e in clause.actors)  # "changes left and stays there"
-        arrived = word_list("ending_up") | (word_list("keeping") if aside else frozenset())
-        ends = event.name == "move" and event.lemma in arrived
-        met = clause.targets or driven_up_to(clause, self._context)
-        for prep in event.pps if not ends else []:
-            basis = Basis(prep.word.i, prep.word.j)
-            if from_everywhere(prep):
-                self._spread(prep, clause.actors)
-            elif _from_behind(prep) and event.name in _UNDERWAY and met:
-                self._context.ahead(met[:1], clause.actors, basis)
-            elif prep.on_mention is None or _starts(event, prep):
-                turned = event.passive and event.name != "hide"
-                turned = turned and prep.value not in {"behind", "from"}
-                whom = clause.targets if turned else clause.actors
-                placing.phrase(prep, whom, event, self._context)
+def _event(clause: Clause, context: Context) -> None:
+    event = clause.event
+    say("dangers.move_off", clause, context)
+    say("constructions.any", clause, context)
+    say("standing.any", clause, context)
+    _places(clause, context)
+    say("positions.access", clause, context)
+    failed = event.parent is not None and event.parent.name == "fail"
+    say("dangers.answered", clause, context)
+    if event.negated or failed or event.name == "overlook":
+        say("omissions.any", clause, context)
+        return
+    say("dangers.unnamed", clause, context)
+    say("dangers.drives_on", clause, context)
+    told_with(clause, context)
+    say(f"movements.{event.name}", clause, context)
+    say("dangers.onto_the_road", clause, context)
+    say("dangers.after_a_thing", clause, context)
+    say(f"dangers.{event.name}", clause, context)
+    say("dangers.oncoming", clause, context)
+    say("dangers.from_behind", clause, context)
+    say("positions.first", clause, context)
 
-    def _spread(self, prep: Prep, actors: list[Entity]) -> None:
-        """``from all directions``: one to each arm; ``from each side``: one to each of two."""
-        basis = Basis(prep.word.i, prep.target.j if prep.target is not None else prep.word.j)
-        arms = self._context.junction.arms or max(len(actors), 1)
-        for number, entity in enumerate(actors):
-            if not each_side(prep):
-                entity.entries, entity.entry_basis = {number % arms}, basis
-            elif number < len(_PAIR):
-                self._draft.place(entity, None, {_PAIR[number]}, basis)
+
+def _places(clause: Clause, context: Context) -> None:
+    """Where the phrases of a verb put those who act, or on whom it is done."""
+    event = clause.event
+    say("positions.from_the_side", clause, context)
+    aside = any(_ASIDE & e.maneuvers for e in clause.actors)  # "changes left and stays there"
+    arrived = word_list("ending_up") | (word_list("keeping") if aside else frozenset())
+    ends = event.name == "move" and event.lemma in arrived
+    met = clause.targets or driven_up_to(clause, context)
+    for prep in event.pps if not ends else []:
+        basis = Basis(prep.word.i, prep.word.j)
+        if from_everywhere(prep):
+            _spread(prep, clause.actors, context)
+        elif _from_behind(prep) and event.name in _UNDERWAY and met:
+            context.ahead(met[:1], clause.actors, basis)
+        elif prep.on_mention is None or _starts(event, prep):
+            turned = event.passive and event.name != "hide"
+            turned = turned and prep.value not in {"behind", "from"}
+            whom = clause.targets if turned else clause.actors
+            placing.phrase(prep, whom, event, context)
+
+
+def _spread(prep: Prep, actors: list[Entity], context: Context) -> None:
+    """``from all directions``: one to each arm; ``from each side``: one to each of two."""
+    basis = Basis(prep.word.i, prep.target.j if prep.target is not None else prep.word.j)
+    arms = context.junction.arms or max(len(actors), 1)
+    for number, entity in enumerate(actors):
+        if not each_side(prep):
+            entity.entries, entity.entry_basis = {number % arms}, basis
+        elif number < len(_PAIR):
+            context.draft.place(entity, None, {_PAIR[number]}, basis)
 
 
 def _is_of_the_verb(prep: Prep, event: Event, kerb: str) -> bool:
@@ -226,7 +229,7 @@ def _stands_there(prep: Prep, event: Event, kerb: str) -> bool:
     """
     who, side = prep.on_mention, prep.place
     parked = who is not None and all(e.parked for e in who.entities)
-    past = event.name == "bypass" or any(p.leads_past for p in event.pps)
+    past = event.name == "bypass" or any("passes" in p.word.data for p in event.pps)
     return parked and side is not None and (kerb in side.dirs or past)
 
 
@@ -234,7 +237,7 @@ def _met_there(prep: Prep) -> bool:
     """``hits a cyclist on its right``: where one is who was not told of before."""
     who, side = prep.on_mention, prep.place
     new = who is not None and who.has("det", "indef")
-    return new and side is not None and side.head is None and side.possessed
+    return new and side is not None and side.head is None and side.has("possessive")
 
 
 def _from_behind(prep: Prep) -> bool:

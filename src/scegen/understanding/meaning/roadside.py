@@ -1,13 +1,14 @@
-"""Things on and beside the road: what blocks, what hides, what somebody only carries."""
+"""Things on and beside the road: what blocks, what hides, also what no lexicon lists."""
 
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import HazardKind
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.phrases.lookahead import chunk_at
+from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at
+from scegen.understanding.words.terms import NOTHING, Term
 
 _IN_THE_WAY = 9
 _CARRIAGEWAY = frozenset({"road", "lane", "highway", "path", "crosswalk", "middle"})
@@ -21,7 +22,7 @@ _FOR_IT = frozenset({"avoid", "brake", "hard_brake", "stop", "slow", "swerve"})
 def read_thing(thing: Thing, k: int, chunks: list[Chunk], draft: Draft) -> None:
     """What a thing on or beside the road means."""
     basis = Basis(thing.i, thing.j)
-    possessed = thing.owner is not None or thing.possessed
+    possessed = thing.owner is not None or thing.has("possessive")
     chased = draft.tokens[max(thing.i - 1, 0)].low == "after"
     none = any((m.cat, m.value) == ("det", "negative") for m in thing.mods)
     none = none or (thing.stands_after("without"))
@@ -54,9 +55,9 @@ def _in_the_way(thing: Thing, k: int, chunks: list[Chunk], draft: Draft) -> bool
             return chunk.kind in _CARRIAGEWAY
         if isinstance(chunk, Event):
             put = chunk.name == "block"
-        elif isinstance(chunk, Word) and chunk.cat == "prep":
+        elif chunk.cat == "prep":
             put = draft.tokens[chunk.i].low in word_list("upon") or chunk.value == "into"
-        elif chunk.cat in _ENDS if isinstance(chunk, Word) else not put and chunk.prep is None:
+        elif chunk.cat in _ENDS if isinstance(chunk, Term) else not put and chunk.prep is None:
             return False
     return False
 
@@ -88,3 +89,58 @@ def _owing_to(k: int, chunks: list[Chunk]) -> list[Entity]:
     """``obstructed views due to parked cars``: the mention right after, with "due to" or "by"."""
     who = next((c for c in chunks[k + 1 : k + 4] if isinstance(c, Mention)), None)
     return who.entities if who is not None and who.stands_after("due", "by") else []
+
+
+_HIDING = frozenset({"behind", "between"})
+_OPENERS = frozenset({"det", "possessive"})
+_DESCRIBING = frozenset({"unknown", "label", "inert", "state", "noted", "env"})
+_NOUN_ENDS = frozenset({"prep", "conj", "sub", "rel", "aux", "locus", "punct", "manner", "copy"})
+_LONGEST = 5
+
+
+def name_hiders(chunks: list[Chunk]) -> list[Chunk]:
+    """The chunks, with unknown nouns after "behind" and "hidden by" as things."""
+    found: list[Chunk] = []
+    end = 0
+    for k, chunk in enumerate(chunks):
+        if k < end:
+            continue
+        found.append(chunk)
+        end = _end(chunks, k + 1) if _hides(chunks, k) else 0
+        if end:
+            *before, last = chunks[k + 1 : end]
+            mods = [w for w in before if isinstance(w, Term)]
+            head = Term("thing", "object", last.i, last.j)
+            found.append(Thing(chunks[k + 1].i, last.j, mods, head, kind="object"))
+    return found
+
+
+def _hides(chunks: list[Chunk], k: int) -> bool:
+    """Whether what stands after this word is something one cannot see through."""
+    word = chunks[k]
+    if not isinstance(word, Term):
+        return False
+    if word.cat == "locus":
+        return word.value in _HIDING
+    before = chunks[max(0, k - 2) : k]
+    hidden = any(isinstance(c, Event) and c.name == "hide" and c.form == "ed" for c in before)
+    return word.value == "by" and hidden
+
+
+def _end(chunks: list[Chunk], k: int) -> int:
+    """Where a noun with an article ends whose last word is in no lexicon; 0 if none begins."""
+    opener = chunk_at(chunks, k)
+    if opener.cat not in _OPENERS:
+        return 0
+    m = k + 1
+    while m < len(chunks) and m - k < _LONGEST:
+        chunk = chunks[m]
+        noun_like = isinstance(chunk, Event) and chunk.form == "base" and m > k + 1
+        if not (noun_like or (chunk.cat in _DESCRIBING)):
+            break
+        m += 1
+    last, after = chunks[m - 1], chunk_at(chunks, m)
+    named = m > k + 1 and (isinstance(last, Event) or last.cat == "unknown")
+    ends = after is NOTHING or after.cat in _NOUN_ENDS or after.value in BOUNDARIES
+    verb = isinstance(after, Event) and after.form in {"s", "ed", "ing"}
+    return m if named and (ends or verb) else 0

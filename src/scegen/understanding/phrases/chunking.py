@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import pairwise
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.phrases.naming import Namer
+from scegen.understanding.phrases.naming import name_further, name_noun, numbered
 from scegen.understanding.phrases.nominal import (
     OPENERS,
     WAYS,
@@ -71,10 +71,10 @@ class Chunker:
         if (term.cat, term.value) == ("possessive", "genitive"):
             owner = self._last
             if not isinstance(owner, Mention) or not self._owns(k):
-                return self._add(Word(term), k + 1)
+                return self._add(term, k + 1)
             owner.possessor = True
         reached = self._noun_phrase(k)
-        return self._add(Word(term), k + 1) if reached is None else reached
+        return self._add(term, k + 1) if reached is None else reached
 
     def _breach(self, term: Term) -> Event:
         """``red light violation``: a noun of a doing with what it is done to before it."""
@@ -97,7 +97,7 @@ class Chunker:
     def _owns(self, k: int) -> bool:
         """A genitive owns what follows, unless an adverb or auxiliary does (a stray 's)."""
         follows = self._term(k + 1)
-        if follows is None or follows.cat in {"aux", "neg", "prep", "punct", "det", "pronoun"}:
+        if follows.cat in {"", "aux", "neg", "prep", "punct", "det", "pronoun"}:
             return False
         return not self._is_adverb(follows)
 
@@ -112,7 +112,8 @@ class Chunker:
         m = k
         while m < len(self._terms) and len(mods) < _MAX_MODS:
             term = self._terms[m]
-            further = self._low(m) == "other" and bool(mods) and mods[-1].cat == "num"
+            other = self._tokens[term.i].low == "other"
+            further = other and bool(mods) and mods[-1].cat == "num"
             closed = mods and mods[-1].cat != "quant" and not further  # "three other cars"
             if closed and term.cat in {"det", "possessive"}:
                 break
@@ -132,21 +133,20 @@ class Chunker:
         mods, m = self._scan(k)
         head = self._term(m)
         owner = self._owner()
-        if head is not None and head.cat == "actor":
+        if head.cat == "actor":
             ours = self._tokens[head.i].low in word_list("first_person")
             if ours and any(m.cat == "manner" or (m is mods[-1] and m.cat == "det") for m in mods):
                 return self._bare(mods, k)  # "so close I can't see it", "after that our car brakes"
             if self._side_before_number(mods):
                 return self._side(mods, k)
             thing = self._term(m + 1)
-            if thing is not None and thing.cat == "thing" and thing.value != "door":
+            if thing.cat == "thing" and thing.value != "door":
                 return self._thing(mods, thing, m + 1, owner)  # "a truck tyre"
             return self._mention(mods, m, owner)
-        if head is not None and head.cat in {"place", "view", "thing", "inert", "leg"}:
+        if head.cat in {"place", "view", "thing", "inert", "leg"}:
             return self._thing(mods, head, m, owner)
         if (
             not (mods and _are_others(mods[0]))  # "the others go left"
-            and head is not None
             and is_nominal(mods, head, self._term(m + 1), self._chunks)
         ):
             coming = head.form == "ing" and mods[-1].value in _COMING_FROM
@@ -175,7 +175,7 @@ class Chunker:
         after = self._term(k + 1)
         if _are_others(first):
             return self._stand_alone(mods[:1], "others", k)
-        if first.cat == "num" and len(mods) == 1 and after is not None and _are_others(after):
+        if first.cat == "num" and len(mods) == 1 and _are_others(after):
             return self._stand_alone([first, after], "others", k)  # "two others"
         if first.value == "other" and len(mods) > 1 and mods[1].data.get("number", 0) > 1:
             return self._stand_alone(mods[:2], "others", k)  # "the other three"
@@ -191,7 +191,9 @@ class Chunker:
             mention = Mention(first.i, second.j, mods, None, pronoun="ordinal", label=second.value)
             return self._one_after(self._add(mention, k + 2))
         one = next((m for m, mod in enumerate(mods) if mod.value == "one"), 0)
-        side_first = one == _SIDE_WORDS and governed(self._chunks) and self._acts(k + one + 1)
+        verb = self._term(k + one + 1)  # "on the left one pulls out"
+        acts = (verb.cat, verb.form) == ("verb", "s")
+        side_first = one == _SIDE_WORDS and governed(self._chunks) and acts
         if one > 0 and first.value == "def" and not side_first:  # "the one", "the red one"
             mention = Mention(first.i, mods[one].j, mods[:one], None, pronoun="one")
             return self._add(mention, k + one + 1)
@@ -207,22 +209,13 @@ class Chunker:
             return None
         return self._stand_alone(mods, first.value, k)
 
-    def _acts(self, k: int) -> bool:
-        """``on the left one pulls out``: whether a verb of its own comes here."""
-        term = self._term(k)
-        return term is not None and term.cat == "verb" and term.form == "s"
-
-    def _term(self, k: int) -> Term | None:
+    def _term(self, k: int) -> Term:
         return term_at(self._terms, k)
-
-    def _low(self, k: int) -> str:
-        """The first word of a term, if there is one."""
-        return self._tokens[self._terms[k].i].low if k < len(self._terms) else ""
 
     def _one_after(self, k: int) -> int:
         """``the other one``: the numeral adds nothing."""
         term = self._term(k)
-        return k + 1 if term is not None and term.cat == "num" and term.value == "one" else k
+        return k + ((term.cat, term.value) == ("num", "one"))
 
     def _stand_alone(self, mods: list[Term], pronoun: str, k: int) -> int:
         return self._add(Mention(mods[0].i, mods[-1].j, mods, None, pronoun=pronoun), k + len(mods))
@@ -258,11 +251,10 @@ class Chunker:
         mention = Mention(start, heads[-1].j, mods, heads[-1], owner, heads=heads)
         mention.label = heads[-1].data.get("label") if len(heads) == 1 else None
         mention.negated = mention.has("det", "negative")
-        named = Namer(self._terms, self._tokens)
-        m = named.single(mention, m)
+        m = name_noun(mention, m, self._terms, self._tokens)
         mention.possessor = ego_owns(heads, self._term(m))
         m = self._at_rest(mention, m)
-        further, m = named.further(mention, m)
+        further, m = name_further(mention, m, self._terms, self._tokens)
         self._chunks += [mention, *further]
         return m
 
@@ -270,7 +262,7 @@ class Chunker:
         """``two cars already at rest``, ``a car stranded there``: not of who acts."""
         adverb = m + (m < len(self._terms) and self._is_adverb(self._terms[m]))
         state = self._term(adverb)
-        if state is None or state.cat != "state":
+        if state.cat != "state":
             return m
         mention.mods = [*mention.mods, state]
         return adverb + 1
@@ -278,7 +270,7 @@ class Chunker:
     def _thing(self, mods: list[Term], head: Term, m: int, owner: Mention | None) -> int:
         start = mods[0].i if mods else head.i
         if head.cat in {"place", "leg"}:
-            last = m + Namer(self._terms, self._tokens).numbered(head, m + 1)
+            last = m + numbered(head, m + 1, self._terms, self._tokens)
             place = Place(start, self._terms[last].j, mods, head, owner, kind=head.value)
             return self._add(place, last + 1)
         kind = head.cat if head.cat == "view" else head.value

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, teller_at
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.phrases.lookahead import (
     BOUNDARIES,
     GOVERNING,
@@ -16,6 +16,7 @@ from scegen.understanding.phrases.lookahead import (
     value_at,
 )
 from scegen.understanding.phrases.nominal import WAYS
+from scegen.understanding.words.terms import NOTHING, Term
 from scegen.understanding.words.tokens import Token
 
 _ENTERED = frozenset({"brake", "hard_brake", "slow", "stop", "overtake", "accelerate", "cut_in",
@@ -28,6 +29,12 @@ _MADE = frozenset({"turn", "u_turn", "reverse"})
 """Doings that a title names before who does them."""
 _DOERS = frozenset({"of", "by"})
 _JOINTS = frozenset({",", "and", "then"})
+
+
+def teller_at(i: int) -> Mention:
+    """Whoever tells it, where the text names nobody."""
+    term = Term("actor", "ego", i, i, data={"ego": True, "speaks": True})
+    return Mention(i, i, [], term, heads=[term])
 
 
 def spell_out_doings(chunks: list[Chunk]) -> list[Chunk]:
@@ -96,7 +103,7 @@ def _last_told(k: int, chunks: list[Chunk]) -> Mention | None:
     if not isinstance(event, Event) or event.name not in _ENTERED:
         return None
     bare = all(m.cat == "manner" for m in event.mods)
-    if not bare or mark is None or cat_at(chunks, k + 1) not in _HOW:
+    if not bare or mark is NOTHING or cat_at(chunks, k + 1) not in _HOW:
         return None
     for m in range(k - 2, -1, -1):
         who = chunks[m]
@@ -118,8 +125,8 @@ def _group(m: int, chunks: list[Chunk]) -> tuple[str, list[Chunk], int] | None:
     end = m + 2
     speed = chunk_at(chunks, end + 1)
     told = isinstance(noun, Mention) and value_at(chunks, end + 2) in _DOERS
-    if told and isinstance(speed, Word) and speed.cat == "quantity":
-        noun.mods = [*noun.mods, speed.term]  # "of a cyclist at 15 km/h by …"
+    if told and isinstance(speed, Term) and speed.cat == "quantity":
+        noun.mods = [*noun.mods, speed]  # "of a cyclist at 15 km/h by …"
         return word, chunks[m + 1 : end], end + 2
     return word, chunks[m + 1 : end], end
 
@@ -162,7 +169,7 @@ def entitle(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> No
 
 
 def _opens(doing: Event, chunks: list[Chunk]) -> bool:
-    return ends(next((c for c in reversed(chunks) if c.j <= doing.i), None))
+    return ends(next((c for c in reversed(chunks) if c.j <= doing.i), NOTHING))
 
 
 def _whole_title(doing: Event, title: list[Chunk], events: list[Event]) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Word
+from scegen.understanding.chunks import Chunk, Event, Mention
 from scegen.understanding.phrases.lookahead import (
     cat_at,
     chunk_at,
@@ -61,7 +61,7 @@ def _anybody(mention: Mention) -> bool:
     return "vague" in data or "driver" in data
 
 
-def _opens_entry(title: list[Chunk], who: Mention, after: Chunk | None) -> bool:
+def _opens_entry(title: list[Chunk], who: Mention, after: Chunk) -> bool:
     """``Target: bus, 40 km/h``, ``Vehicle ahead: van``: its kind comes right after the colon."""
     mere = title[0] is who and [c.cat for c in title[1:]] in ([], ["locus"])
     return mere and isinstance(after, Mention) and _bare(who) and who.noun in _GENERIC
@@ -156,7 +156,7 @@ def _names_ego(chunks: list[Chunk]) -> bool:
 
 def _pass_on(mention: Mention, title: list[Chunk], rest: list[Chunk]) -> None:
     """``Slow vehicle: a tractor …``: what the heading says holds for the first one named."""
-    words = [*mention.mods, *(c.term for c in title if isinstance(c, Word))]
+    words = [*mention.mods, *(c for c in title if isinstance(c, Term))]
     told = [m for m in words if (m.cat, m.value) in _QUALITIES or m.cat == "state"]
     for other in _others(rest)[:1]:
         other.mods = [*other.mods, *told]
@@ -267,8 +267,8 @@ def _entry(title: list[Chunk], chunks: list[Chunk], k: int) -> int:
     if isinstance(value, Mention) and value.pronoun == _NOBODY and last:
         who[0].negated = True
         return m + 1
-    if isinstance(value, Word) and (value.cat, value.value) == ("quantity", "speed"):
+    if isinstance(value, Term) and (value.cat, value.value) == ("quantity", "speed"):
         for each in who:
-            each.mods = [*each.mods, value.term]
+            each.mods = [*each.mods, value]
         return m + 1
     return k

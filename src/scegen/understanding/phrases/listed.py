@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import (
     BOUNDARIES,
@@ -30,10 +30,6 @@ def list_them(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
 
     Behind the verb ("two people cross, a woman and a man"), and wherever a colon opens the list
     ("three vehicles meet: a bus turns, …"), they are marked as ``listed``.
-
-    Args:
-        chunks: the chunks of the text.
-        tokens: its tokens.
     """
     for k, counted in enumerate(chunks):
         count = _size(counted)
@@ -47,7 +43,7 @@ def list_them(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             if told and m == k + 1:  # "three vehicles, a van and two cars, meet"
                 told[0].i = counted.i
                 for one in told:
-                    one.drives = counted.noun == "driver"
+                    one.marks = {"drives"} if counted.noun == "driver" else set()
                     one.mods = [*one.mods, *(t for t in counted.mods if t.cat not in _COUNTS)]
                 return list_them([*chunks[:k], *chunks[first:end], *chunks[end + 1 :]], tokens)
             if chunks[m].value == ":":
@@ -148,8 +144,8 @@ def in_between(chunks: list[Chunk]) -> list[Chunk]:
         mine = (ego.is_ego or ego.is_me) and value_at(chunks, k + 2) == "and"
         if stays and mine and not other.has("state", "parked"):
             one, two = ("behind", "ahead") if value_at(chunks, k + 4) == "behind" else _IN_LINE
-            found[k] = Word(Term("locus", one, chunks[k].i, chunks[k].j))
-            second[k + 3] = Word(Term("locus", two, other.i, other.i))
+            found[k] = Term("locus", one, chunks[k].i, chunks[k].j)
+            second[k + 3] = Term("locus", two, other.i, other.i)
     return [c for k, chunk in enumerate(found) for c in (second.get(k), chunk) if c is not None]
 
 

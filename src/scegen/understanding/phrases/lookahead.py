@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
+from scegen.understanding.words.terms import NOTHING, Term
 
 BOUNDARIES = frozenset({".", ";", "!", "?", ":"})
 ADVERBS = frozenset(
@@ -19,29 +21,24 @@ _PUT_IN = frozenset({"prep", "locus", "quantity", "rel"})
 """Classes of words with which it begins what is put in."""
 
 
-def chunk_at(chunks: list[Chunk], k: int) -> Chunk | None:
-    """The chunk with an index, if there is one."""
-    return chunks[k] if 0 <= k < len(chunks) else None
+def chunk_at(chunks: list[Chunk], k: int) -> Chunk:
+    """The chunk with an index; `NOTHING` before the text and behind it."""
+    return chunks[k] if 0 <= k < len(chunks) else NOTHING
 
 
 def cat_at(chunks: list[Chunk], k: int) -> str:
     """The class of the word with an index, empty where no mere word stands."""
-    return chunks[k].cat if 0 <= k < len(chunks) else ""
+    return chunk_at(chunks, k).cat
 
 
 def value_at(chunks: list[Chunk], k: int) -> str:
     """The value of the word with an index, empty where no mere word stands."""
-    return chunks[k].value if 0 <= k < len(chunks) else ""
+    return chunk_at(chunks, k).value
 
 
-def is_word(chunk: Chunk | None, value: str) -> bool:
-    """Whether a chunk is a mere word of that value."""
-    return chunk is not None and chunk.value == value
-
-
-def ends(chunk: Chunk | None) -> bool:
+def ends(chunk: Chunk) -> bool:
     """Whether a sentence or a title ends here, as before and behind the text."""
-    return chunk is None or chunk.value in BOUNDARIES
+    return chunk is NOTHING or chunk.value in BOUNDARIES
 
 
 def sentences(chunks: list[Chunk]) -> Iterator[tuple[int, int]]:
@@ -55,12 +52,8 @@ def sentences(chunks: list[Chunk]) -> Iterator[tuple[int, int]]:
 
 def free_mentions(chunks: list[Chunk]) -> list[Mention]:
     """Those named whom no word of place governs."""
-    pairs = zip([None, *chunks], chunks, strict=False)
-    return [
-        c
-        for before, c in pairs
-        if isinstance(c, Mention) and (before is None or before.cat not in GOVERNING)
-    ]
+    pairs = pairwise([NOTHING, *chunks])
+    return [c for before, c in pairs if isinstance(c, Mention) and before.cat not in GOVERNING]
 
 
 def sentence_end(chunks: list[Chunk], k: int) -> int:
@@ -91,7 +84,7 @@ def finite_follows(chunks: list[Chunk], k: int) -> bool:
         chunk = chunks[k]
         if isinstance(chunk, Event):
             return auxiliary or chunk.form != "ing" or main_verb_follows(chunks, k)
-        if isinstance(chunk, Word):
+        if isinstance(chunk, Term):
             if chunk.cat in _LINKS or chunk.value == "," or ends(chunk):
                 return False
             if chunk.value == "to" and not isinstance(chunk_at(chunks, k + 1), Place):
@@ -127,10 +120,10 @@ def behind_insertion(chunks: list[Chunk], m: int) -> int:
     return end + 1 if participle or (told and opens[0].cat in _PUT_IN) else m
 
 
-def predicate_opens(chunk: Chunk | None) -> bool:
+def predicate_opens(chunk: Chunk) -> bool:
     """Whether the verb of a clause, or its auxiliary, stands there."""
     verb = isinstance(chunk, Event) and chunk.form != "ing" and not chunk.nominal
-    return verb or (chunk is not None and chunk.cat == "aux")
+    return verb or chunk.cat == "aux"
 
 
 def main_verb_follows(chunks: list[Chunk], k: int) -> bool:
@@ -139,7 +132,7 @@ def main_verb_follows(chunks: list[Chunk], k: int) -> bool:
     for chunk in chunks[k + 1 : k + _CLAUSE]:
         if isinstance(chunk, Event):
             return governed and not chunk.nominal and chunk.form in {"s", "ed"}
-        if isinstance(chunk, Word):
+        if isinstance(chunk, Term):
             if chunk.cat in _LINKS or (chunk.cat == "punct" and chunk.value not in "()"):
                 return False
             preposed = chunk.cat in GOVERNING
@@ -149,7 +142,7 @@ def main_verb_follows(chunks: list[Chunk], k: int) -> bool:
     return False
 
 
-def only_a_noun_follows(word: Word, k: int, chunks: list[Chunk]) -> bool:
+def only_a_noun_follows(word: Term, k: int, chunks: list[Chunk]) -> bool:
     """``after a car on its right``: a preposition, no clause."""
     following, place = chunk_at(chunks, k + 1), chunk_at(chunks, k - 1)
     if word.value == "when" and isinstance(place, Place) and "same" in place.dirs:
@@ -171,7 +164,7 @@ def by_follows(chunks: list[Chunk], k: int) -> bool:
             return False
         if chunk.value == "by":
             return True
-        if isinstance(chunk, Word) and chunk.cat not in {"prep", "locus", "manner", "dir"}:
+        if chunk.cat not in {"", "prep", "locus", "manner", "dir"}:
             return False
     return False
 

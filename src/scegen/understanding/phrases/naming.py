@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import pairwise, takewhile
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Word
+from scegen.understanding.chunks import Chunk, Event, Mention
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import chunk_at, ends, value_at
 from scegen.understanding.words.terms import Term, cat_at
@@ -15,90 +15,85 @@ _WIDEST_GAP = 2
 """Room for a space and a "#"."""
 
 
-@dataclass(frozen=True, slots=True)
-class Namer:
-    """Looks for names right after a noun.
+def name_noun(mention: Mention, m: int, terms: list[Term], tokens: list[Token]) -> int:
+    """``vehicle 1``, ``car A``: names the mention; a plural only as the first of a list.
 
-    Attributes:
-        terms: the terms of the text.
-        tokens: its tokens, for the written form of letters.
+    Returns:
+        The index of the term after the name, ``m`` if there is none.
     """
+    plural = tokens[mention.j - 1].text.endswith("s")
+    bare = not mention.mods and not plural
+    name = _name(m, terms, tokens, bare=bare)
+    if name is None or (plural and not _listed(m + 1, terms, tokens)):
+        return m
+    mention.label, mention.label_at, mention.j = name, terms[m].i, terms[m].j
+    return m + 1
 
-    terms: list[Term]
-    tokens: list[Token]
 
-    def single(self, mention: Mention, m: int) -> int:
-        """``vehicle 1``, ``car A``: names the mention; a plural only as the first of a list.
+def name_further(
+    first: Mention, m: int, terms: list[Term], tokens: list[Token]
+) -> tuple[list[Chunk], int]:
+    """``vehicles 1, 2 and 3``: a mention for each name after the first.
 
-        Returns:
-            The index of the term after the name, ``m`` if there is none.
-        """
-        plural = self.tokens[mention.j - 1].text.endswith("s")
-        bare = not mention.mods and not plural
-        name = self._name(m, bare=bare)
-        if name is None or (plural and not self._listed(m + 1)):
-            return m
-        mention.label, mention.label_at, mention.j = name, self.terms[m].i, self.terms[m].j
-        return m + 1
+    Returns:
+        The further chunks and the index of the term after them.
+    """
+    found: list[Chunk] = []
+    named = [first]
+    while first.label is not None and first.plural and _listed(m, terms, tokens):
+        name = _name(m + 1, terms, tokens)
+        term = terms[m + 1]
+        mention = Mention(term.i, term.j, list(first.mods), first.head, heads=first.heads)
+        mention.label, mention.label_at = name, term.i
+        found += [terms[m], mention]
+        named.append(mention)
+        m += 2
+    for one in named if found else []:  # "two cars A and B": the names say who the two are
+        one.mods = [t for t in one.mods if t.cat not in {"num", "quant"}]
+    return found, m
 
-    def further(self, first: Mention, m: int) -> tuple[list[Chunk], int]:
-        """``vehicles 1, 2 and 3``: a mention for each name after the first.
 
-        Returns:
-            The further chunks and the index of the term after them.
-        """
-        found: list[Chunk] = []
-        named = [first]
-        while first.label is not None and first.plural and self._listed(m):
-            name = self._name(m + 1)
-            term = self.terms[m + 1]
-            mention = Mention(term.i, term.j, list(first.mods), first.head, heads=first.heads)
-            mention.label, mention.label_at = name, term.i
-            found += [Word(self.terms[m]), mention]
-            named.append(mention)
-            m += 2
-        for one in named if found else []:  # "two cars A and B": the names say who the two are
-            one.mods = [t for t in one.mods if t.cat not in {"num", "quant"}]
-        return found, m
+def numbered(head: Term, m: int, terms: list[Term], tokens: list[Token]) -> bool:
+    """``lane 2``: the number is the place's name."""
+    if cat_at(terms, m) != "num" or head.value not in {"lane", "road"}:
+        return False
+    bare = cat_at(terms, m - 2) not in {"det", "dir"}
+    written = tokens[terms[m].i].kind == "number"
+    return (bare or written) and cat_at(terms, m + 1) not in {"actor", "place"}
 
-    def numbered(self, head: Term, m: int) -> bool:
-        """``lane 2``: the number is the place's name."""
-        if cat_at(self.terms, m) != "num" or head.value not in {"lane", "road"}:
-            return False
-        bare = cat_at(self.terms, m - 2) not in {"det", "dir"}
-        written = self.tokens[self.terms[m].i].kind == "number"
-        return (bare or written) and cat_at(self.terms, m + 1) not in {"actor", "place"}
 
-    def _listed(self, m: int) -> bool:
-        """Whether a further name comes after a joint."""
-        joint = m < len(self.terms) and self.terms[m].value in {"and", "or", ","}
-        return joint and self._name(m + 1) is not None
+def _listed(m: int, terms: list[Term], tokens: list[Token]) -> bool:
+    """Whether a further name comes after a joint."""
+    joint = m < len(terms) and terms[m].value in {"and", "or", ","}
+    return joint and _name(m + 1, terms, tokens) is not None
 
-    def _model(self, i: int) -> bool:
-        """``F-150``: a letter joined to a number is a model, not a name."""
-        after = self.tokens[i + 1] if i + 1 < len(self.tokens) else None
-        joined = after is not None and after.start == self.tokens[i].end + 1
-        written = after is not None and after.kind == "number"
-        return joined and written and self.tokens[i].text != "A"
 
-    def _name(self, m: int, *, bare: bool = False) -> str | None:
-        """The name that the term is, if it is one; after a bare noun ("vehicle two") it is."""
-        if m >= len(self.terms):
-            return None
-        term = self.terms[m]
-        token = self.tokens[term.i]
-        if token.start - self.tokens[term.i - 1].end > _WIDEST_GAP:
-            return None  # "ego + 2 others"
-        alone = term.j - term.i == 1  # no "T-bones"
-        follows = cat_at(self.terms, m + 1)
-        told = bare or token.kind == "number" or follows not in {"place", "verb", "manner"}
-        if term.cat == "num" and told and alone and follows != "actor":
-            return f"#{term.data['number']:g}"
-        letter = alone and len(token.text) == 1 and token.text.isupper() and token.text != "I"
-        letter = letter and not self._model(term.i)
-        if letter and follows not in {"actor", "place", "dir", "shape", "manner", "state"}:
-            return f"#{token.low}"
+def _model(i: int, tokens: list[Token]) -> bool:
+    """``F-150``: a letter joined to a number is a model, not a name."""
+    after = tokens[i + 1] if i + 1 < len(tokens) else None
+    joined = after is not None and after.start == tokens[i].end + 1
+    written = after is not None and after.kind == "number"
+    return joined and written and tokens[i].text != "A"
+
+
+def _name(m: int, terms: list[Term], tokens: list[Token], *, bare: bool = False) -> str | None:
+    """The name that the term is, if it is one; after a bare noun ("vehicle two") it is."""
+    if m >= len(terms):
         return None
+    term = terms[m]
+    token = tokens[term.i]
+    if token.start - tokens[term.i - 1].end > _WIDEST_GAP:
+        return None  # "ego + 2 others"
+    alone = term.j - term.i == 1  # no "T-bones"
+    follows = cat_at(terms, m + 1)
+    told = bare or token.kind == "number" or follows not in {"place", "verb", "manner"}
+    if term.cat == "num" and told and alone and follows != "actor":
+        return f"#{term.data['number']:g}"
+    letter = alone and len(token.text) == 1 and token.text.isupper() and token.text != "I"
+    letter = letter and not _model(term.i, tokens)
+    if letter and follows not in {"actor", "place", "dir", "shape", "manner", "state"}:
+        return f"#{token.low}"
+    return None
 
 
 _HELPS = frozenset({"aux", "manner"})
@@ -117,7 +112,7 @@ def in_brackets(chunks: list[Chunk]) -> list[Chunk]:
         first, second = chunk_at(chunks, k - 1), chunk_at(chunks, k + 1)
         named = marks == ["(", ",", ")"] and isinstance(chunk_at(chunks, k - 3), Mention)
         if named and _says_who(first) and _says_who(second):
-            found += [Word(Term("punct", mark, chunk.i, chunk.i)) for mark in ")("]
+            found += [Term("punct", mark, chunk.i, chunk.i) for mark in ")("]
         else:
             found.append(chunk)
     return found
@@ -155,7 +150,9 @@ def filmed_from(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     of = low_at(tokens, who.i - 2) in word_list("views_of")  # "camera of a van: …"
     egos = [h for c in chunks if isinstance(c, Mention) and c.is_ego for h in c.heads]
     another = any(h.data.get("ego") and not {"me", "speaks"} & {*h.data} for h in egos)
-    plain = not (who.dirs or who.is_person) and not any(m.cat == "state" for m in who.mods)
+    plain = not (who.dirs or who.noun == "pedestrian") and not any(
+        m.cat == "state" for m in who.mods
+    )
     if looks and plain and not another and (of or around[0] in _FROM) and around[1] in _ENDS:
         data = {"ego": True, "speaks": True}
         who.heads = [Term("actor", "ego", who.i, who.i, data=data), *who.heads]
@@ -180,13 +177,13 @@ def counted_in(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             rest = replace(number, data={"number": number.data["number"] - 1})
             group.mods = [rest if t is number else t for t in group.mods]
             who.heads = [*group.heads, *who.heads]  # "four trucks including ours"
-            chunks[m - 1] = Word(Term("conj", "and", who.i, who.i))
+            chunks[m - 1] = Term("conj", "and", who.i, who.i)
             left_out |= {n for n in range(k + 1, m - 1) if chunks[n].value == ","}
             left_out |= {m + 1, m + 2} if among[1] else set()
     return [c for k, c in enumerate(chunks) if k not in left_out]
 
 
-def _says_who(chunk: Chunk | None) -> bool:
+def _says_who(chunk: Chunk) -> bool:
     """The ego, or a kind ("a truck", "passenger car")."""
     if not isinstance(chunk, Mention):
         return False

@@ -16,7 +16,7 @@ _ENDS = frozenset({"front", "rear"})
 VERBAL_LINKS = frozenset({"prep", "locus"})
 
 
-def is_nominal(mods: list[Term], head: Term, following: Term | None, chunks: list[Chunk]) -> bool:
+def is_nominal(mods: list[Term], head: Term, following: Term, chunks: list[Chunk]) -> bool:
     """Whether a verb form after these words is a noun ("a sudden stop")."""
     if head.cat != "verb" or head.form == "ed":
         return False
@@ -37,7 +37,7 @@ def is_nominal(mods: list[Term], head: Term, following: Term | None, chunks: lis
     if mods[0].value == "opposite" and len(mods) == 1 and isinstance(previous, Mention):
         return False  # "the car opposite turns left"
     placed = has_dir(mods) or mods[-1].cat == "compass"
-    turned = head.value == "turn" and following is not None and following.cat == "dir"
+    turned = head.value == "turn" and following.cat == "dir"
     turned = turned or mods[-1].cat == "compass" or mods[-1].value in {"front", "rear"}
     if governed(chunks) and placed:  # "cars from the right enter"
         bare = len(mods) <= _SIDE_ONLY and head.value not in _NAMED_BY_SIDE
@@ -65,18 +65,16 @@ def has_dir(mods: list[Term]) -> bool:
     return any(m.cat == "dir" for m in mods)
 
 
-def compound_end(head: Term, following: Term | None, chunks: list[Chunk]) -> Term:
+def compound_end(head: Term, following: Term, chunks: list[Chunk]) -> Term:
     """``a construction area``, ``at test start``: the last noun of a compound, or the head."""
-    if following is None or (following.cat, following.form) != ("verb", "base"):
+    if (following.cat, following.form) != ("verb", "base"):
         return head
     singular = head.value == "noun" and head.form != "s"  # no singular noun has such a verb
     return following if singular and governed(chunks) else head
 
 
-def ego_owns(heads: list[Term], following: Term | None) -> bool:
+def ego_owns(heads: list[Term], following: Term) -> bool:
     """``the ego lane``, ``the VUT front strikes the GVT rear``: what follows is theirs."""
-    if following is None:
-        return False
     if (following.cat, following.form) == ("dir", "base") and following.value in _ENDS:
         return heads[-1].form != "s"
     own = any(h.data.get("ego") for h in heads)
@@ -117,7 +115,7 @@ def event_of(term: Term, mods: list[Term], *, nominal: bool = False) -> Event:
     start = mods[0].i if mods else term.i
     event = Event(term.value, start, term.j, term.form, nominal=nominal, mods=list(mods))
     event.control = term.data.get("control")
-    event.drives, event.says = bool(term.data.get("drives")), bool(term.data.get("says"))
+    event.data = term.data
     event.negated = any((m.cat, m.value) == ("det", "negative") for m in mods)
     if "how" in term.data:
         event.mods.append(Term("manner", term.data["how"], term.i, term.j))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import cat_at, chunk_at, ends, value_at
 from scegen.understanding.words.terms import Term
@@ -30,9 +30,9 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         what, whose = chunk_at(chunks, k + 1), chunk_at(chunks, k + 2)
         if ends(chunk):
             found, after = [*found, *after], []
-        of = what is not None and what.value == "of" and isinstance(whose, Mention)
+        of = what.value == "of" and isinstance(chunk, Event)
         if of and isinstance(chunk, Event) and isinstance(whose, Mention) and _named(chunk, found):
-            comma = Word(Term("punct", ",", chunk.i, chunk.i))  # "hits the open door of a van"
+            comma = Term("punct", ",", chunk.i, chunk.i)  # "hits the open door of a van"
             opened = replace(chunk, mods=[], form="s")
             after = [comma, replace(whose, pps=[], same_as=whose), opened]
             found.append(whose)
@@ -92,7 +92,7 @@ def _who(door: Thing, before: list[Chunk]) -> Mention:
     """Who is parked, or stands, of those named; else a parked car."""
     for k, who in reversed(list(enumerate(before))):
         if isinstance(who, Mention) and who.head is not None and not (who.plural or who.is_ego):
-            verb = next((c for c in before[k + 1 :] if not isinstance(c, Word)), None)
+            verb = next((c for c in before[k + 1 :] if not isinstance(c, Term)), None)
             stands = isinstance(verb, Event) and verb.name in _STANDS
             if stands or any(mod.value == "parked" for mod in who.mods):
                 return replace(who, i=door.i, j=door.j, pps=[], same_as=who)

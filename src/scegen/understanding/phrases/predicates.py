@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.doings_named import entitle
 from scegen.understanding.phrases.lookahead import BOUNDARIES, cat_at, chunk_at, ends, value_at
 from scegen.understanding.phrases.nominal import WAYS
 from scegen.understanding.words.terms import Term, longest_match
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.tokens import Token, low_at
 
 _OPENERS = frozenset({",", "and", "but", "while", "when", "(", ":"})
 _ENDS = frozenset({",", "and", "but", "while", "when", "(", ")", "before", "or",
@@ -32,10 +32,10 @@ def complete(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> l
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Event) and chunk.nominal and not chunk.subject:
             chunk.subject = _whose(chunks, k, found)
-        elif isinstance(chunk, Word) and _predicative(chunks, k) and not _has_verb(chunk, found):
+        elif isinstance(chunk, Term) and _predicative(chunks, k) and not _has_verb(chunk, found):
             subject = _whose(chunks, k, found)
             if subject:
-                going = Event("move", chunk.i, chunk.j, "s", finite=True, mods=[chunk.term])
+                going = Event("move", chunk.i, chunk.j, "s", finite=True, mods=[chunk])
                 going.subject, going.sentence = subject, _sentence_at(chunk.i, found)
                 found.append(going)
     return sorted(found, key=lambda e: (e.sentence, e.i)) if len(found) > len(events) else found
@@ -48,9 +48,9 @@ def _predicative(chunks: list[Chunk], k: int) -> bool:
     return k + 1 == len(chunks) or value_at(chunks, k + 1) in _ENDS | BOUNDARIES
 
 
-def _has_verb(word: Word, events: list[Event]) -> bool:
+def _has_verb(word: Term, events: list[Event]) -> bool:
     """Whether the direction already says which way some verb leads."""
-    return any(word.term in e.mods and e.name in _ITS_OWN for e in events)
+    return any(word in e.mods and e.name in _ITS_OWN for e in events)
 
 
 def _whose(chunks: list[Chunk], k: int, events: list[Event]) -> list[Mention]:
@@ -111,7 +111,7 @@ def _way(noun: NounPhrase, k: int, chunks: list[Chunk]) -> Term | None:
     while cat_at(chunks, m) in _BETWEEN:
         m += 1
     word = chunk_at(chunks, m)
-    after = [word.term] if isinstance(word, Word) and word.cat == "dir" else []
+    after = [word] if isinstance(word, Term) and word.cat == "dir" else []
     return next((w for w in [*noun.ways, *after] if w.value in WAYS), None)
 
 
@@ -125,7 +125,7 @@ def _on_whose_way(
         return verb.subject if verb.name in _HOLDING and not verb.passive else []
     prep = chunk_at(chunks, k - 1)
     prep = chunk_at(chunks, k - 2) if isinstance(prep, Mention) else prep
-    if not isinstance(prep, Word) or tokens[prep.i].low not in word_list("along"):
+    if not isinstance(prep, Term) or low_at(tokens, prep.i) not in word_list("along"):
         return []
     for chunk in reversed(chunks[:k]):
         if ends(chunk):
@@ -162,7 +162,7 @@ def with_particles(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             continue
         whom, particle, after = (*chunks[k + 1 : k + 4], None, None, None)[:3]
         last = after is None or after.cat in {"punct", "conj"}
-        split = isinstance(whom, Mention) and isinstance(particle, Word) and last
+        split = isinstance(whom, Mention) and isinstance(particle, Term) and last
         if split and particle is not None and particle.cat != "manner":
             both = longest_match([tokens[chunk.i], tokens[particle.i]], 0)
             if both is not None and both.j == _BOTH and both.has("verb"):

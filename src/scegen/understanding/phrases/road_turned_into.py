@@ -8,24 +8,19 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.scenario.vocabulary import CrossedArm
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.lexicon import word_list, word_lists
 from scegen.understanding.phrases.lookahead import cat_at, chunk_at, ends, value_at
 from scegen.understanding.phrases.which_road import turns
 from scegen.understanding.words.terms import Term
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.tokens import Token, low_at
 
 _ROADS = frozenset({"road", "access", "leg", "highway"})
 _ON_FOOT = frozenset({"cross", "walk"})
 
 
 def name_turned_into(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
-    """The chunks; a road that is told by the turn into it is an arm, a clause on it a sentence.
-
-    Args:
-        chunks: of the text.
-        tokens: of the text.
-    """
+    """The chunks; a road that is told by the turn into it is an arm, a clause on it a sentence."""
     turn = next((k for k, c in enumerate(chunks) if turns(c)), None)
     if turn is None:
         return chunks
@@ -37,7 +32,7 @@ def name_turned_into(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         before, after = chunk_at(found, len(found) - 1), k + 1
         if isinstance(chunk, Place) and chunk.kind in _ROADS and chunk.arm is None:
             verb = next((c for c in reversed(found[begin:]) if isinstance(c, Event)), None)
-            onto = isinstance(before, Word) and tokens[before.i].low in {"into", "onto"}
+            onto = isinstance(before, Term) and low_at(tokens, before.i) in {"into", "onto"}
             if onto and turns(verb):
                 told, after = _walked(chunks, k)
                 again = replace(chunk, arm=CrossedArm.EXIT, user=who)
@@ -45,8 +40,7 @@ def name_turned_into(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             else:
                 end = _entered(chunks, after)
                 if end != after or _pointed_at(chunk, found, tokens):
-                    of = before is not None and before.value == "of"
-                    whole = chunk_at(found, len(found) - 2) if of else None
+                    whole = chunk_at(found, len(found) - 2) if before.value == "of" else None
                     for place in (chunk, whole):  # "the zebra crossing of the road entered"
                         if isinstance(place, Place):
                             place.arm, place.user = CrossedArm.EXIT, who
@@ -87,7 +81,7 @@ def _walked(chunks: list[Chunk], k: int) -> tuple[list[Chunk], int]:
         who = chunk_at(chunks, m)
     if not isinstance(who, Mention):
         return [], k + 1
-    ends = Word(Term("punct", ".", who.i, who.i))
+    ends = Term("punct", ".", who.i, who.i)
     m += 1
     paced = cat_at(chunks, m) == "prep" and cat_at(chunks, m + 1) == "quantity"  # "at 5 km/h"
     pace = chunks[m : m + 2 * paced]

@@ -8,15 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word, teller_at
-from scegen.understanding.phrases.doings_named import spell_out_doings
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
+from scegen.understanding.phrases.doings_named import spell_out_doings, teller_at
 from scegen.understanding.phrases.lookahead import GOVERNING, cat_at, chunk_at, ends, value_at
 from scegen.understanding.words.terms import Term
 
 _WAYS = frozenset({("dir", "left"), ("dir", "right"), ("dir", "straight"), ("manner", "backwards")})
 _SEPARATORS = frozenset({",", "and", "but", "or", "while", "when", "as", "both"})
 _AFTER = frozenset({"prep", "conj", "sub", "manner", "env", "locus", "control"})
-_WITHIN = frozenset({"prep", "locus", "dir", "manner", "label", "quantity"})
+_WITHIN = frozenset({"", "prep", "locus", "dir", "manner", "label", "quantity"})
 _NAMED = frozenset({"cut_in", "lane_change", "merge", "u_turn", "hard_brake", "swerve"})
 _UNDERGONE = frozenset({"park", "hide", "block", "collide", "locate", "follow", "overtake",
                         "encounter", "cut_off", "cut_in", "cause", "prevent"})  # fmt: skip
@@ -43,7 +43,7 @@ def spell_out(chunks: list[Chunk]) -> list[Chunk]:
 def _before_its_side(chunks: list[Chunk], k: int) -> bool:
     """``50 % overlap, left``, ``offset 0.4 m, right``: a comma between a measure and its side."""
     measure, side = chunk_at(chunks, k - 1), value_at(chunks, k + 1)
-    told = {measure.value, *(m.value for m in getattr(measure, "mods", []))} if measure else set()
+    told = {measure.value, *(m.value for m in getattr(measure, "mods", []))}
     bare = ends(chunk_at(chunks, k + 2)) or value_at(chunks, k + 2) == ","
     is_comma = chunks[k].value == "," and side in {"left", "right"}
     return is_comma and bare and not told.isdisjoint({"percentage", "length"})
@@ -78,7 +78,7 @@ def _from_titles(chunks: list[Chunk]) -> list[Chunk]:
         if place is not None and isinstance(chunk_at(chunks, k + 1), Mention):
             word = "in" if place.kind == "lane" else "from"
             road = chunks[begin + 1 : k] if place.kind == "access" else []
-            preposed = Word(Term("prep", word, place.i, place.i))
+            preposed = Term("prep", word, place.i, place.i)
             found += [*chunks[done:begin], preposed, place, *road]
             done = k + 1
     return [*found, *chunks[done:]]
@@ -89,7 +89,7 @@ def _in_lanes(chunks: list[Chunk]) -> list[Chunk]:
     found: list[Chunk] = []
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Place) and chunk.kind == "lane" and _bare_lane(chunk, chunks, k):
-            found.append(Word(Term("prep", "in", chunk.i, chunk.i)))
+            found.append(Term("prep", "in", chunk.i, chunk.i))
         found.append(chunk)
     return found
 
@@ -106,7 +106,7 @@ def _bare_lane(lane: Place, chunks: list[Chunk], k: int) -> bool:
 
 def _titled(title: list[Chunk]) -> Place | None:
     first = title[0]
-    simple = all(isinstance(c, Word | Place) for c in title)
+    simple = all(isinstance(c, Term | Place) for c in title)
     named = isinstance(first, Place) and first.kind in {"access", "lane", "side", "leg"}
     return first if simple and named and isinstance(first, Place) else None
 
@@ -116,8 +116,7 @@ def _told_by_nobody(chunks: list[Chunk]) -> list[Chunk]:
 
     So did who is "Following a truck at 80 km/h." or "Overtaking a bus. It swerves."
     """
-    first = chunk_at(chunks, 0)
-    auxiliary = first is not None and (first.cat, first.value) == ("aux", "be")
+    auxiliary = (cat_at(chunks, 0), value_at(chunks, 0)) == ("aux", "be")
     k = int(auxiliary)
     verb = chunk_at(chunks, k)
     if not isinstance(verb, Event) or verb.nominal:
@@ -158,7 +157,7 @@ def _adds_nothing(title: list[Chunk], chunks: list[Chunk], k: int) -> bool:
     first, following = title[0], chunk_at(chunks, k + 1)
     if first.cat == "dir":
         return len(title) == 1 and isinstance(following, Mention)
-    way = following is not None and (following.cat, following.value) in _WAYS
+    way = (following.cat, following.value) in _WAYS
     named = isinstance(first, Mention) and not any(isinstance(c, Event) for c in title)
     return way and named
 
@@ -175,13 +174,13 @@ def _named_doing(event: Event, chunks: list[Chunk], k: int) -> bool:
 def _going(chunks: list[Chunk], k: int) -> Event | None:
     """``ego straight``, ``ego in reverse``: goes straight, backwards."""
     way = chunks[k]
-    if not isinstance(way, Word) or (way.cat, way.value) not in _WAYS:
+    if not isinstance(way, Term) or (way.cat, way.value) not in _WAYS:
         return None
     following = chunk_at(chunks, k + 1)
     free = ends(following) or value_at(chunks, k + 1) == "," or cat_at(chunks, k + 1) in _AFTER
     if not free or value_at(chunks, k + 1) == "of" or _clause_opener(chunks, k) is None:
         return None
-    return Event("move", way.i, way.j, "s", mods=[way.term], drives=True)
+    return Event("move", way.i, way.j, "s", mods=[way], data={"drives": True})
 
 
 def _clause_opener(chunks: list[Chunk], k: int) -> Mention | None:
@@ -191,7 +190,7 @@ def _clause_opener(chunks: list[Chunk], k: int) -> Mention | None:
         if isinstance(chunk, Mention):
             if cat_at(chunks, m - 1) not in GOVERNING:
                 return chunk if _introduced(chunks, m - 1) else None
-        elif isinstance(chunk, Event) or (isinstance(chunk, Word) and chunk.cat not in _WITHIN):
+        elif isinstance(chunk, Event) or chunk.cat not in _WITHIN:
             return None
     return None
 
@@ -199,6 +198,5 @@ def _clause_opener(chunks: list[Chunk], k: int) -> Mention | None:
 def _introduced(chunks: list[Chunk], m: int) -> bool:
     """Whether a clause begins after chunk ``m``."""
     before = chunk_at(chunks, m)
-    if before is None or ends(before):
-        return True
-    return before.value in _SEPARATORS and not isinstance(chunk_at(chunks, m - 1), Event)
+    parted = before.value in _SEPARATORS and not isinstance(chunk_at(chunks, m - 1), Event)
+    return parted or ends(before)

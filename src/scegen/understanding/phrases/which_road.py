@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import CrossedArm
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.lexicon import word_lists
 from scegen.understanding.phrases.lookahead import cat_at, chunk_at, ends, value_at
 from scegen.understanding.words.terms import Term
@@ -50,7 +50,7 @@ def name_roads(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             k = end
         elif course is not None:
             k, term = course
-            found.append(Word(term))
+            found.append(term)
         else:
             found.append(chunk)
             k += 1
@@ -59,8 +59,8 @@ def name_roads(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     return _without_asides(found, tokens)
 
 
-def _text(chunk: Chunk | None, tokens: list[Token]) -> str:
-    return " ".join(t.low for t in tokens[chunk.i : chunk.j]) if chunk is not None else ""
+def _text(chunk: Chunk, tokens: list[Token]) -> str:
+    return " ".join(t.low for t in tokens[chunk.i : chunk.j])
 
 
 def _arm_clause(chunks: list[Chunk], k: int, tokens: list[Token]) -> tuple[int, CrossedArm] | None:
@@ -128,7 +128,7 @@ def _told_anew(chunks: list[Chunk], k: int, end: int, *, measured: bool) -> list
     anew = any(map(turns, clause)) and not any(map(turns, [*chunks[:k], *chunks[end:]]))
     if who.pronoun is not None or not (sided or measured or not who.is_ego or anew):
         return []
-    return [*clause, Word(Term("punct", ".", who.i, who.i))]
+    return [*clause, Term("punct", ".", who.i, who.i)]
 
 
 def _course(
@@ -141,7 +141,7 @@ def _course(
         return None
     m, against = k, False
     word = chunks[k]
-    if isinstance(word, Word) and word.cat in {"prep", "locus", "dir"}:
+    if word.cat in {"prep", "locus", "dir"}:
         against = _text(word, tokens) in ways["against"]
         if not against and _text(word, tokens) not in ways["along"]:
             return None
@@ -199,7 +199,7 @@ def _without_asides(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             k += 1
             continue
         end = _seen(chunks, k, tokens) if low_at(tokens, chunk.i) == "as" else None
-        if end is None and isinstance(chunk, Word) and _from_a_side(found):
+        if end is None and isinstance(chunk, Term) and _from_a_side(found):
             end = _end_of_turn(chunks, k)
             end = k if cat_at(chunks, end) in {"dir", "prep"} else end
         if end is not None and end > k:

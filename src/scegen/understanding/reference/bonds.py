@@ -7,14 +7,15 @@ from dataclasses import dataclass, field
 from itertools import pairwise, product
 from typing import NamedTuple
 
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing
+from scegen.understanding.clauses.further import aside
 from scegen.understanding.clauses.located import is_it
-from scegen.understanding.clauses.relatives import aside
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.listed import sides_of
-from scegen.understanding.phrases.lookahead import BOUNDARIES, is_word
+from scegen.understanding.phrases.lookahead import BOUNDARIES
 from scegen.understanding.phrases.nominal import WAYS
 from scegen.understanding.reference.its import others_than_it, same_again
+from scegen.understanding.words.terms import NOTHING
 from scegen.understanding.words.tokens import Token
 
 _FOLLOWING = frozenset({"follow", "tailgate", "avoid"})
@@ -93,7 +94,7 @@ def bonds_of(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> B
         comes = event.name == "approach" or any(d.value == "opposite" for d in event.dirs)
         if comes or any(p.value == "to" and p.who for p in event.pps):
             found.nearing |= {id(m) for m in event.subject}
-        if event.name in _COMING_OUT or any(m.is_person for m in event.subject):
+        if event.name in _COMING_OUT or any(m.noun == "pedestrian" for m in event.subject):
             found.hiding |= {id(p.target) for p in event.pps if p.outer == "from"}
         for place in (p.place for p in event.pps):
             if place is not None and place.beside is not None:
@@ -208,8 +209,8 @@ def _in_reasons(chunks: list[Chunk], tokens: list[Token]) -> set[int]:
     here: list[int] = []
     opened = False
     for k, (before, chunk) in enumerate(pairwise(chunks)):
-        reason = isinstance(before, Word) and (before.cat, before.value) == ("sub", "because")
-        if isinstance(before, Word) and before.value in BOUNDARIES:
+        reason = (before.cat, before.value) == ("sub", "because")
+        if before.value in BOUNDARIES:
             here, opened = [], False
         elif reason and tokens[before.i].low != "so":
             here.append(id(chunk))
@@ -227,24 +228,24 @@ def _said_to_be_there(chunks: list[Chunk]) -> set[int]:
     found = {
         id(chunk)
         for before, chunk in pairwise(chunks)
-        if is_word(before, "thereis") and isinstance(chunk, Mention)
+        if before.value == "thereis" and isinstance(chunk, Mention)
         if not any(m.cat == "state" for m in chunk.mods)
     }
     opens: Mention | None = None
     fresh, subordinate = True, False
     said = any(c.value == "be" for c in chunks)
-    for before, chunk in pairwise([None, *chunks]) if said else ():
+    for before, chunk in pairwise([NOTHING, *chunks]) if said else ():
         if isinstance(before, Mention) and isinstance(chunk, Event) and chunk.form in _DESCRIBES:
             continue  # "the car is 40 m short of a lorry standing there"
-        if isinstance(chunk, Word) and (chunk.value in BOUNDARIES or chunk.cat == "sub"):
+        if chunk.value in BOUNDARIES or chunk.cat == "sub":
             opens, fresh, subordinate = None, True, chunk.cat == "sub"
-        elif isinstance(chunk, Word) and (chunk.value == "," or chunk.cat == "conj"):
+        elif chunk.value == "," or chunk.cat == "conj":
             opens, fresh = None, subordinate  # "while the ego drives, a van is ahead of it"
         elif isinstance(chunk, Mention) and fresh:
             opens, fresh = chunk, False
-        elif isinstance(chunk, Word) and (chunk.cat, chunk.value) == ("aux", "be"):
+        elif (chunk.cat, chunk.value) == ("aux", "be"):
             found |= {id(opens)} if opens is not None else set()
-        elif isinstance(chunk, Word) and chunk.cat == "rel" and id(opens) in found:
+        elif chunk.cat == "rel" and id(opens) in found:
             opens = None
         else:
             if isinstance(chunk, Event):

@@ -1,4 +1,11 @@
-"""What clauses say about their nouns: who drives, who comes from elsewhere."""
+"""What clauses say about their nouns, as marks on these.
+
+* ``drives``, ``walks``: what only vehicles do, only people on foot; ``stood``: what only one does
+  that stands ("it sets off"); ``stands``; ``seated``: who opens the door around them;
+* ``elsewhere``: from another road; ``trails``: it follows the ego ("the car following us");
+* ``besides``: it does something to "it", so that it is somebody else; ``narrowed``: words after it
+  say which one is meant ("the car towing it").
+"""
 
 from __future__ import annotations
 
@@ -72,13 +79,12 @@ def _done_already(events: list[Event], tokens: list[Token]) -> None:
 
 
 def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
-    mention.seated = mention.seated or event.name in {"door", "alight"}
     failing = event.negated and event.name in {"stop", "yield"}
     across = event.name == "cut_in" and tokens[event.j - 1].low == "across"
     afoot = mention.head is not None and "afoot" in mention.head.data
     springs = afoot and event.lemma in word_list("springing")  # "a boy bursts out of a gap"
     only = event.name in ONLY_VEHICLES and not (across or springs)
-    alone = event.drives or only or _takes_a_turn(event)
+    alone = "drives" in event.data or only or _takes_a_turn(event)
     vague = mention.head is not None and "vague" in mention.head.data
     turns = vague or event.name in {"turn", "sharp_turn"}
     turns = turns and any(d.value in {"left", "right"} for d in event.dirs)
@@ -86,20 +92,24 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     turns = turns or (vague and event.name in {"collide", "speed"} and not event.passive)
     it = mention.pronoun == "it" and tokens[mention.i].low == "it"
     turns = turns or (it and event.name in _UNDERWAY and not event.passive)
-    mention.drives = mention.drives or failing or alone or turns
-    mention.walks = mention.walks or _on_foot(event)
     away = event.name == "leave" and event.object is None and tokens[event.j - 1].low in _AWAY
-    mention.stood = mention.stood or ((away or event.name in _FROM_REST) and not event.negated)
     at_rest = event.name in {"wait", "stop"} and event.lemma in word_list("standing")
-    mention.stands = mention.stands or (at_rest and not event.negated)
     told = 0 <= event.i - mention.j <= 1 and not event.finite and not event.nominal
     close = told and tokens[mention.j].low != ","  # "the car, doing 50 km/h": no other one
-    mention.narrowed = mention.narrowed or (close and event.premod_of is None)
     tails = event.name in {"follow", "tailgate"} and not event.passive
     whom = event.object
-    mention.trails |= close and tails and isinstance(whom, Mention) and whom.is_ego
     told = close or (event.embedded and event.finite)  # "the car that has been tailgating it"
-    mention.besides = mention.besides or (told and is_pronoun(event.object))
+    marks = {
+        "seated": event.name in {"door", "alight"},
+        "drives": failing or alone or turns,
+        "walks": _on_foot(event),
+        "stood": (away or event.name in _FROM_REST) and not event.negated,
+        "stands": at_rest and not event.negated,
+        "narrowed": close and event.premod_of is None,
+        "trails": close and tails and isinstance(whom, Mention) and whom.is_ego,
+        "besides": told and is_pronoun(whom),
+    }
+    mention.marks |= {mark for mark, so in marks.items() if so}
     if event.lemma in word_list("pedalling") and mention.heads:
         mention.goes_by = ParticipantKind.BICYCLE  # "the claimant was cycling"
     elif event.lemma in word_list("walking") and any("driver" in h.data for h in mention.heads):
@@ -110,7 +120,7 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     whence = [p for p in froms if p.place is not None and "rear" not in p.place.dirs]
     mention.sides |= _sides(whence)
     if whence:
-        mention.elsewhere = mention.pronoun is None
+        mention.marks |= {"elsewhere"} if mention.pronoun is None else set()
 
 
 def _person(mention: Mention) -> bool:
@@ -141,7 +151,7 @@ def _left_standing(events: list[Event]) -> None:
         put = event.lemma in {"leave", "park", "dump", "abandon"} and not event.passive
         if not put or who is None or not isinstance(what, Mention) or not is_one_vehicle(what):
             continue
-        if who.is_person:
+        if who.noun == "pedestrian":
             who.negated = True
             what.same_as = None
             what.mods = [*what.mods, Term("state", "parked", event.i, event.j)]
@@ -161,7 +171,8 @@ def _people_in_traffic(chunks: list[Chunk], events: list[Event]) -> None:
             told = chunk.mod("det", "def") is not None and afoot  # "…; the ego hits the passenger"
             chunk.negated = chunk.negated or not told
         if isinstance(chunk, Mention) and id(chunk) not in walking:
-            chunk.drives = chunk.drives or chunk.has("manner", "wrong_way") or _along(chunk)
+            alike = chunk.has("manner", "wrong_way") or _along(chunk)
+            chunk.marks |= {"drives"} if alike else set()
 
 
 def _aboard(mention: Mention) -> bool:
@@ -195,7 +206,7 @@ def _aside(chunks: list[Chunk], events: list[Event]) -> None:
     asked = {id(m) for m in named[:1] if is_pronoun(m) and any(map(tells, named))}
     for event in events:
         told = [p.target for p in event.pps if p.value == "to"]
-        for mention in [*event.subject, event.object, *told] if event.says else []:
+        for mention in [*event.subject, event.object, *told] if "says" in event.data else []:
             onlooks = isinstance(mention, Mention) and any(
                 "onlooker" in h.data for h in mention.heads
             )

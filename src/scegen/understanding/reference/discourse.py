@@ -8,7 +8,6 @@ from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.clauses.dependents import chain
 from scegen.understanding.clauses.located import is_it, loci_of
-from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.egos import (
@@ -34,203 +33,185 @@ from scegen.understanding.reference.mention_words import (
 from scegen.understanding.reference.pronouns import of_pronoun, picked
 from scegen.understanding.reference.roster import Group, Roster, opened, vehicle_around
 from scegen.understanding.words.quantities import quantity_at
-from scegen.understanding.words.tokens import Token
 
 _MOST = 20
 _A_PAIR = 2
 
 
-class Discourse:
-    """The participants of a text in the order in which they come up.
+def resolve(
+    roster: Roster,
+    mention: Mention,
+    *,
+    subject: bool,
+    exclude: list[Entity],
+    sides: int | None = None,
+    settled: bool = False,
+    near: str | None = None,
+) -> list[Entity]:
+    """The participants that a mention refers to.
 
     Args:
-        draft: where participants are kept.
-        tokens: the tokens of the text.
-        arms: arms of the junction, for "from all directions".
+        roster: the participants in the order in which they come up.
+        mention: the mention; its ``entities`` are set.
+        subject: it is the subject of its clause.
+        exclude: participants that it cannot mean (the subject, for an object).
+        sides: its members come one from each of so many sides; 0: from each arm.
+        settled: the text says which way all its members go.
+        near: where it says that somebody is, by it ("behind it").
     """
+    if mention.entities:
+        return mention.entities
+    if mention.same_as is not None:
+        same = mention.same_as  # "riding a moped, I …": whom comes later
+        mention.entities = list(same.entities or resolve(roster, same, subject=True, exclude=[]))
+        refine(mention, roster.draft)
+        _as_somebody(mention)
+        if mention.pronoun is not None:
+            roster.spoken_of(mention.entities, subject=subject, settled=settled)
+        return mention.entities
+    if (
+        refers_to_nobody(mention)
+        or _a_measure(roster, mention)
+        or _their_own_queue(roster, mention)
+    ):
+        return []
+    located = any(p.word.cat == "locus" and is_pronoun(p.target) for p in mention.pps)
+    if (located and not is_it(mention)) or "besides" in mention.marks:
+        exclude = [*exclude, *roster.subject]  # "the car behind it" is not "it"
+    if two := _of_two(roster, mention) or _at_the_wheel(mention):
+        found = two
+    elif mention.pronoun is not None:
+        found = _we(roster, mention, exclude) or of_pronoun(roster, mention, exclude, near)
+    else:
+        reading = read_mention(mention, roster.tokens, roster.arms if sides == 0 else sides)
+        one = of_both(reading, loci_of(mention), roster)
+        for entity in one if not (reading.generic or reading.ego) else []:
+            entity.kind = reading.kind  # "both vehicles …; the lead van"
+            entity.named_by |= reading.called
+        found = one or _noun(roster, reading, mention, exclude)
+    found = _share(roster, mention, found)
+    mention.entities = list(found)
+    for entity in found:
+        entity.loci |= loci_of(mention)
+        entity.sides |= mention.sides
+        entity.named_by |= states_of(mention)
+    _as_somebody(mention)
+    roster.spoken_of(found, subject=subject, settled=settled)
+    roster.stands_near(near, found)
+    if subject and mention.joined is not None:
+        roster.joined = [e for m in chain(mention) for e in m.entities]
+    return found
 
-    def __init__(self, draft: Draft, tokens: list[Token], arms: int) -> None:
-        self.tokens = tokens
-        self._arms = arms
-        self._own = [k for k, token in enumerate(tokens) if token.low in {"my", "our"}]
-        self._roster = Roster(draft, tokens)
 
-    @property
-    def entities(self) -> list[Entity]:
-        """Everybody known so far."""
-        return self._roster.entities
+def _as_somebody(mention: Mention) -> None:
+    """``the driver of a van``, ``my wife``: "she" means them before any vehicle."""
+    if mention.noun == "pedestrian" or any("driver" in h.data for h in mention.heads):
+        for entity in mention.entities:
+            entity.named_by.add("somebody")
 
-    def resolve(
-        self,
-        mention: Mention,
-        *,
-        subject: bool,
-        exclude: list[Entity],
-        sides: int | None = None,
-        settled: bool = False,
-        near: str | None = None,
-    ) -> list[Entity]:
-        """The participants that a mention refers to.
 
-        Args:
-            mention: the mention; its ``entities`` are set.
-            subject: it is the subject of its clause.
-            exclude: participants that it cannot mean (the subject, for an object).
-            sides: its members come one from each of so many sides; 0: from each arm.
-            settled: the text says which way all its members go.
-            near: where it says that somebody is, by it ("behind it").
-        """
-        if mention.entities:
-            return mention.entities
-        if mention.same_as is not None:
-            same = mention.same_as  # "riding a moped, I …": whom comes later
-            mention.entities = list(same.entities or self.resolve(same, subject=True, exclude=[]))
-            refine(mention, self._roster.draft)
-            self._as_somebody(mention)
-            if mention.pronoun is not None:
-                self._roster.spoken_of(mention.entities, subject=subject, settled=settled)
-            return mention.entities
-        if refers_to_nobody(mention) or self._a_measure(mention) or self._their_own_queue(mention):
-            return []
-        located = any(p.word.cat == "locus" and is_pronoun(p.target) for p in mention.pps)
-        if (located and not is_it(mention)) or mention.besides:
-            exclude = [*exclude, *self._roster.subject]  # "the car behind it" is not "it"
-        if two := self._of_two(mention) or self._at_the_wheel(mention):
-            found = two
-        elif mention.pronoun is not None:
-            found = self._we(mention, exclude) or of_pronoun(self._roster, mention, exclude, near)
-        else:
-            reading = read_mention(mention, self.tokens, self._arms if sides == 0 else sides)
-            one = of_both(reading, loci_of(mention), self._roster)
-            for entity in one if not (reading.generic or reading.ego) else []:
-                entity.kind = reading.kind  # "both vehicles …; the lead van"
-                entity.named_by |= reading.called
-            found = one or self._noun(reading, mention, exclude)
-        found = self._share(mention, found)
-        mention.entities = list(found)
-        for entity in found:
-            entity.loci |= loci_of(mention)
-            entity.sides |= mention.sides
-            entity.named_by |= states_of(mention)
-        self._as_somebody(mention)
-        self._roster.spoken_of(found, subject=subject, settled=settled)
-        self._roster.stands_near(near, found)
-        if subject and mention.joined is not None:
-            self._roster.joined = [e for m in chain(mention) for e in m.entities]
-        return found
+def _of_two(roster: Roster, mention: Mention) -> list[Entity]:
+    """``both vehicles``, ``the two``: of two who are known already, or of one and the ego."""
+    first = mention.i - (mention.pronoun == "count")
+    words = " ".join(t.low for t in roster.tokens[max(0, first) : mention.j])
+    told = words in word_list("two_cars") | word_list("two_of_them")
+    if (told or mention.pronoun == "both") and [e.ego for e in roster.entities] == [False]:
+        the_ego(roster, ParticipantKind.CAR, Basis(mention.i, mention.j))
+    cars = [e for e in roster.entities if e.kind is ParticipantKind.CAR]  # besides a lorry
+    loosely = any(e.ego for e in roster.entities) and all(e.is_vehicle for e in roster.entities)
+    cars = roster.entities if loosely and len(cars) < _A_PAIR else cars  # the ego and a van
+    meant = cars if words in word_list("two_cars") else []
+    meant = roster.entities if words in word_list("two_of_them") else meant
+    return list(meant) if len(meant) == _A_PAIR else []
 
-    def _as_somebody(self, mention: Mention) -> None:
-        """``the driver of a van``, ``my wife``: "she" means them before any vehicle."""
-        if mention.is_person or any("driver" in h.data for h in mention.heads):
-            for entity in mention.entities:
-                entity.named_by.add("somebody")
 
-    def _of_two(self, mention: Mention) -> list[Entity]:
-        """``both vehicles``, ``the two``: of two who are known already, or of one and the ego."""
-        first = mention.i - (mention.pronoun == "count")
-        words = " ".join(t.low for t in self.tokens[max(0, first) : mention.j])
-        told = words in word_list("two_cars") | word_list("two_of_them")
-        if (told or mention.pronoun == "both") and [e.ego for e in self.entities] == [False]:
-            the_ego(self._roster, ParticipantKind.CAR, Basis(mention.i, mention.j))
-        cars = [e for e in self.entities if e.kind is ParticipantKind.CAR]  # besides a lorry
-        loosely = any(e.ego for e in self.entities) and all(e.is_vehicle for e in self.entities)
-        cars = self.entities if loosely and len(cars) < _A_PAIR else cars  # the ego and a van
-        meant = cars if words in word_list("two_cars") else []
-        meant = self.entities if words in word_list("two_of_them") else meant
-        return list(meant) if len(meant) == _A_PAIR else []
+def _at_the_wheel(mention: Mention) -> list[Entity]:
+    """``the ego's driver``: the ego."""
+    owner, head = mention.owner, mention.head
+    if owner is None or head is None or head.value != "driver":
+        return []
+    return list(owner.entities)
 
-    def _at_the_wheel(self, mention: Mention) -> list[Entity]:
-        """``the ego's driver``: the ego."""
-        owner, head = mention.owner, mention.head
-        if owner is None or head is None or head.value != "driver":
-            return []
-        return list(owner.entities)
 
-    def _share(self, mention: Mention, whole: list[Entity]) -> list[Entity]:
-        """``half of them``: so many, no matter which; ``some of them`` says not how many."""
-        words = [*mention.mods, *([mention.head] if mention.head is not None else [])]
-        share = next((m.data["share"] for m in words if "share" in m.data), None)
-        if share is None or not whole:
-            return whole
-        count = len(whole) * share
-        if not count or count != int(count):
-            instead = "how many of them is not said; what they do is left out"
-            self._roster.draft.note(mention.i, mention.j, instead)
-            return []
-        return picked([e for e in whole if not e.claimed][: int(count)])
+def _share(roster: Roster, mention: Mention, whole: list[Entity]) -> list[Entity]:
+    """``half of them``: so many, no matter which; ``some of them`` says not how many."""
+    words = [*mention.mods, *([mention.head] if mention.head is not None else [])]
+    share = next((m.data["share"] for m in words if "share" in m.data), None)
+    if share is None or not whole:
+        return whole
+    count = len(whole) * share
+    if not count or count != int(count):
+        instead = "how many of them is not said; what they do is left out"
+        roster.draft.note(mention.i, mention.j, instead)
+        return []
+    return picked([e for e in whole if not e.claimed][: int(count)])
 
-    def _their_own_queue(self, mention: Mention) -> bool:
-        """``five cars wait in a queue``, ``behind a truck in a queue``: they are the queue."""
-        several = max(len(self._roster.subject), len(self.entities)) > 1
-        within = mention.stands_after("in") and several and not mention.dirs
-        end = mention.stands_after("of") and bool(self._roster.groups)
-        return mention.is_mass and (within or end)
 
-    def _a_measure(self, mention: Mention) -> bool:
-        """``and one of 12 m/s``."""
-        of = [t.low for t in self.tokens[mention.j : mention.j + 2]]
-        bare = mention.j - mention.i == 1 and of[:1] == ["of"] and len(of) > 1
-        return bare and quantity_at(self.tokens, mention.j + 1) is not None
+def _their_own_queue(roster: Roster, mention: Mention) -> bool:
+    """``five cars wait in a queue``, ``behind a truck in a queue``: they are the queue."""
+    several = max(len(roster.subject), len(roster.entities)) > 1
+    within = mention.stands_after("in") and several and not mention.dirs
+    end = mention.stands_after("of") and bool(roster.groups)
+    return mention.is_mass and (within or end)
 
-    def _we(self, mention: Mention, exclude: list[Entity]) -> list[Entity]:
-        """``three of us``: the ego and two more; ``the two of us``: it and who was told of."""
-        whole = mention.whole
-        if mention.pronoun != "count" or whole is None or not any(e.ego for e in whole.entities):
-            return []
-        count, basis = int(mention.mods[0].data["number"]), Basis(mention.i, whole.j)
-        ego = the_ego(self._roster, ParticipantKind.CAR, basis)
-        further = range(min(count, _MOST) - 1)
-        told = [e for e in self.entities if e.moving_vehicle and e not in (ego, *exclude)]
-        if len(told) == len(further) and self.tokens[mention.i - 1].low == "the":
-            return [ego, *told]
-        others = [self._roster.new(self._roster.teller, basis) for _ in further]
-        if others:
-            self._roster.groups.append(Group(others, vague=False))
-        return [ego, *others]
 
-    def _noun(self, reading: Reading, mention: Mention, exclude: list[Entity]) -> list[Entity]:
-        basis = Basis(mention.i, mention.j)
-        if reading.ego and not reading.plural:
-            ego_by_order(self._roster, mention)
-            if mention.prep is None and (mention.joined is not None or not exclude):
-                last_is_ego(self._roster, mention)
-            if tells(mention) or mine(mention, reading.kind):
-                return [the_teller(self._roster, reading.kind, basis)]
-            return [the_ego(self._roster, reading.kind, basis)]
-        of_whom = next((p.who for p in mention.pps if p.value == "of"), None)
-        if reading.driver and of_whom is not None:
-            return self.resolve(of_whom, subject=False, exclude=[])
-        if parked := opened(reading, mention, self.entities):
-            return parked
-        if (inside := vehicle_around(reading, mention)) is not None:
-            around = self.resolve(inside, subject=False, exclude=[])
-            self._roster.enrich(around, reading)
-            return around
-        if kin(reading, mention):
-            strangers = [e for e in self.entities if not e.named_by & reading.called]
-            exclude = [*exclude, *strangers]  # "a man with his son"
-        if meant := known(self._roster, reading, mention, exclude):
-            self._roster.enrich(meant, reading)
-            return meant
-        if mention.ranked is not None:
-            reading = replace(reading, count=reading.count - 1)
-        found = with_the_ranked(mention, self._roster.introduce(reading, basis))
-        numbered = mention.mod("num") is not None and not reading.parked
-        numbered = numbered and reading.kind is ParticipantKind.CAR
-        numbered = numbered and not (reading.dirs or mention.pps or mention.prep is not None)
-        both = mention.opened_by("both") or (mention.opened_by("def") and numbered)
-        if both and len(found) == _A_PAIR:
-            self._roster.groups[-1].both = True
-        return found
+def _a_measure(roster: Roster, mention: Mention) -> bool:
+    """``and one of 12 m/s``."""
+    of = [t.low for t in roster.tokens[mention.j : mention.j + 2]]
+    bare = mention.j - mention.i == 1 and of[:1] == ["of"] and len(of) > 1
+    return bare and quantity_at(roster.tokens, mention.j + 1) is not None
 
-    def told_by(self, kind: ParticipantKind | None, *, apart: bool) -> None:
-        """Who tells it; ``apart``: the vehicle under test is named besides."""
-        self._roster.teller, self._roster.apart = kind or ParticipantKind.CAR, apart and bool(kind)
 
-    def tells(self, i: int, j: int) -> bool:
-        """Whether words name the one who tells it ("on my side of the road")."""
-        return bool(self._own) and any(i <= k < j for k in self._own)
+def _we(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Entity]:
+    """``three of us``: the ego and two more; ``the two of us``: it and who was told of."""
+    whole = mention.whole
+    if mention.pronoun != "count" or whole is None or not any(e.ego for e in whole.entities):
+        return []
+    count, basis = int(mention.mods[0].data["number"]), Basis(mention.i, whole.j)
+    ego = the_ego(roster, ParticipantKind.CAR, basis)
+    further = range(min(count, _MOST) - 1)
+    told = [e for e in roster.entities if e.moving_vehicle and e not in (ego, *exclude)]
+    if len(told) == len(further) and roster.tokens[mention.i - 1].low == "the":
+        return [ego, *told]
+    others = [roster.new(roster.teller, basis) for _ in further]
+    if others:
+        roster.groups.append(Group(others, vague=False))
+    return [ego, *others]
 
-    def observer(self, i: int, j: int) -> Entity:
-        """``our lane``: whoever tells it takes part."""
-        return the_teller(self._roster, ParticipantKind.CAR, Basis(i, j))
+
+def _noun(
+    roster: Roster, reading: Reading, mention: Mention, exclude: list[Entity]
+) -> list[Entity]:
+    basis = Basis(mention.i, mention.j)
+    if reading.ego and not reading.plural:
+        ego_by_order(roster, mention)
+        if mention.prep is None and (mention.joined is not None or not exclude):
+            last_is_ego(roster, mention)
+        if tells(mention) or mine(mention, reading.kind):
+            return [the_teller(roster, reading.kind, basis)]
+        return [the_ego(roster, reading.kind, basis)]
+    of_whom = next((p.who for p in mention.pps if p.value == "of"), None)
+    if reading.driver and of_whom is not None:
+        return resolve(roster, of_whom, subject=False, exclude=[])
+    if parked := opened(reading, mention, roster.entities):
+        return parked
+    if (inside := vehicle_around(reading, mention)) is not None:
+        around = resolve(roster, inside, subject=False, exclude=[])
+        roster.enrich(around, reading)
+        return around
+    if kin(reading, mention):
+        strangers = [e for e in roster.entities if not e.named_by & reading.called]
+        exclude = [*exclude, *strangers]  # "a man with his son"
+    if meant := known(roster, reading, mention, exclude):
+        roster.enrich(meant, reading)
+        return meant
+    if mention.ranked is not None:
+        reading = replace(reading, count=reading.count - 1)
+    found = with_the_ranked(mention, roster.introduce(reading, basis))
+    numbered = mention.mod("num") is not None and not reading.parked
+    numbered = numbered and reading.kind is ParticipantKind.CAR
+    numbered = numbered and not (reading.dirs or mention.pps or mention.prep is not None)
+    both = mention.opened_by("both") or (mention.opened_by("def") and numbered)
+    if both and len(found) == _A_PAIR:
+        roster.groups[-1].both = True
+    return found

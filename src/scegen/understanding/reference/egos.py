@@ -5,12 +5,14 @@ from __future__ import annotations
 from itertools import pairwise
 
 from scegen.scenario.vocabulary import ParticipantKind
-from scegen.understanding.chunks import Chunk, Event, Mention, Word
+from scegen.understanding.chunks import Chunk, Event, Mention
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.phrases.lookahead import chunk_at, value_at
 from scegen.understanding.reference.mention_words import Reading
 from scegen.understanding.reference.roster import Group, Roster, claimed
 from scegen.understanding.words.numbers import POSITIONS
+from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token, low_at
 
 _REST = 12
@@ -120,13 +122,12 @@ def rank(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
         if not isinstance(row, Mention) or row.mod("num") is None:
             continue
         bare = isinstance(place, Mention) and not place.heads
-        label = tokens[place.j - 1].low if bare or isinstance(place, Word) else ""
-        within = isinstance(prep, Word) and prep.value in ({"of", "in"} if bare else {"in"})
+        label = tokens[place.j - 1].low if bare or isinstance(place, Term) else ""
+        within = prep.value in ({"of", "in"} if bare else {"in"})
         if label not in POSITIONS or not within:
             continue
-        is_, before = [None, None, *chunks[:k]][:-3:-1] if bare else (None, None)
         if bare:  # "the ego is the last of three cars"
-            told = isinstance(is_, Word) and (is_.cat, is_.value) == ("aux", "be")
+            before, told = chunk_at(chunks, k - 2), value_at(chunks, k - 1) == "be"
             who = [before] if told and isinstance(before, Mention) else []
         else:
             who = [m for m in named for p in m.pps if p.target is row]

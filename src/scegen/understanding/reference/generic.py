@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import ParticipantKind
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at
 from scegen.understanding.reference.mention_words import KINDS
+from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
 _LETTING_BY = frozenset({"wait", "yield", "stop", "brake", "slow", "hard_brake", "react"})
@@ -68,7 +69,7 @@ def _what_lies_there(chunks: list[Chunk], events: list[Event]) -> None:
                 meant.negated, event.object = True, named
 
 
-def _fits(mention: Mention, prep: Word, tokens: list[Token]) -> bool:
+def _fits(mention: Mention, prep: Term, tokens: list[Token]) -> bool:
     """``wide enough for one car``, ``no room for two``: a measure of the road."""
     known = mention.is_ego or any(m.value == "def" for m in mention.mods)
     before = {token.low for token in tokens[max(0, prep.i - _NEAR) : prep.i]}
@@ -78,13 +79,13 @@ def _fits(mention: Mention, prep: Word, tokens: list[Token]) -> bool:
 
 def _only_the_scene(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
     """``Stop-and-go traffic on a ring road; the car ahead …``: where it all takes place."""
-    opens = k == 0 or getattr(chunks[k - 1], "value", "") in BOUNDARIES
+    opens = k == 0 or chunks[k - 1].value in BOUNDARIES
     if not opens or not mention.is_mass or mention.dirs:
         return False
     for chunk in chunks[k + 1 :]:
         if isinstance(chunk, Event | Mention):
             return False
-        if isinstance(chunk, Word) and chunk.value in BOUNDARIES:
+        if chunk.value in BOUNDARIES:
             after = [c for c in chunks if c.i > chunk.i and isinstance(c, Mention) and c.heads]
             return any(not c.is_ego for c in after)
     return False

@@ -151,14 +151,15 @@ def _definite(
     fronted = {p.value for p in mention.pps if p.fronted}
     loci = loci_of(mention) - fronted  # "15 m ahead of the ego the van cuts in": no other van
     told = any(m.cat in {"verb", "manner", "state"} for m in mention.mods)
-    if not (told or mention.narrowed or (which and not as_the_ego_sees(mention))):
+    narrowed, elsewise = "narrowed" in mention.marks, "elsewhere" in mention.marks
+    if not (told or narrowed or (which and not as_the_ego_sees(mention))):
         options = options or roster.cast(reading, loci)
     if reading.dirs:
         options = [e for e in options if _from_there(e, reading)]
-    again = reading.called if mention.elsewhere and not (which or mention.narrowed) else set()
+    again = reading.called if elsewise and not (which or narrowed) else set()
     options = [e for e in options if not (loci and e.loci) or loci & e.loci or again & e.named_by]
-    elsewise = bool(loci) and not reading.parked  # a parked van is not "the car behind it"
-    options = [e for e in options if not (elsewise and e.parked) or loci & e.loci]
+    moving = bool(loci) and not reading.parked  # a parked van is not "the car behind it"
+    options = [e for e in options if not (moving and e.parked) or loci & e.loci]
     options = [e for e in options if not (mention.sides and e.sides) or mention.sides & e.sides]
     options = [e for e in options if loci & e.loci] or options  # who is known to be there
     if loci & {"ahead", "behind"}:  # "a car stands at the line; the car behind hits it"
@@ -169,10 +170,10 @@ def _definite(
     others = [e for e in others if e.named_by & reading.called] or others
     others = [e for e in others if e.named_by & states_of(mention)] or others
     done = any(m.cat == "verb" and m.form == "ed" for m in mention.mods)  # "the overtaken car"
-    placed = which or mention.elsewhere or mention.narrowed or done
+    placed = which or elsewise or narrowed or done
     restricted = reading.dirs or reading.labels or placed
     only = [e for e in roster.entities if e.is_vehicle and e.kind is not ParticipantKind.BICYCLE]
-    own = all(p.value == "to" for p in which) and not (mention.narrowed or loci or fronted)
+    own = all(p.value == "to" for p in which) and not (narrowed or loci or fronted)
     own = own and not (reading.dirs or reading.labels or reading.plural or mention.sides)
     ego = next((e for e in only if e.ego and "speaks" not in e.named_by), None)
     car = reading.kind is ParticipantKind.CAR and not reading.driver and mention.i > 0

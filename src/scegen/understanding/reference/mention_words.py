@@ -49,7 +49,7 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
     bare = "label" in told or last.base in word_list("generic_words")  # "V2", "vehicle"
     kind = (specific or kinds or [ParticipantKind.CAR])[0]
     afoot = "afoot" in told
-    if kind in ON_FOOT and mention.drives and not afoot:
+    if kind in ON_FOOT and "drives" in mention.marks and not afoot:
         kind, driver, kinds = ParticipantKind.CAR, True, []
     if heads[-1].value == "rider" and not kinds:
         kind = ParticipantKind.MOTORCYCLE
@@ -92,13 +92,13 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
 def states_of(mention: Mention) -> set[str]:
     """``a van stands there … the stationary van``: in what state it is said to be."""
     told = {m.value for m in mention.mods if m.cat == "state"}
-    return told | ({"stationary"} if mention.stands else set())
+    return told | ({"stationary"} if "stands" in mention.marks else set())
 
 
 def mine(mention: Mention, kind: ParticipantKind) -> bool:
     """``my bike``, ``our old lorry``: whoever tells it drives it."""
     named = mention.head is not None and mention.head.value in KINDS
-    vehicle = named and not mention.is_person and kind not in ON_FOOT  # not "my neighbour"
+    vehicle = named and mention.noun != "pedestrian" and kind not in ON_FOOT  # not "my neighbour"
     return vehicle and mention.opened_by("first_person")
 
 

@@ -43,7 +43,7 @@ def _own_vehicles(events: list[Event]) -> None:
         driven = driven or (event.name == "reverse" and is_somebody(who))  # "a man backs a van out"
         if what.heads and not what.label and (what.opened_by("its") or driven):
             what.same_as = who
-            who.drives = True
+            who.marks.add("drives")
 
 
 def _vehicles_of_parties(chunks: list[Chunk]) -> None:
@@ -73,7 +73,8 @@ def _ridden(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> No
         what, word = prep.who, tokens[prep.word.i].low
         aboard = prep.value == "in" and word in word_list("aboard")
         if aboard and what is not None and what.same_as is None and is_one_vehicle(what):
-            what.same_as, who.drives = who, True
+            what.same_as = who
+            who.marks.add("drives")
 
 
 def _may_ride(mention: Mention) -> bool:
@@ -89,7 +90,8 @@ def _own_people(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -
         if tokens[who.j - 1].low not in word_list("relatives") or who.pps or who.prep:
             continue
         done = [e for e in events if who in e.subject]
-        at_wheel = any(e.name in _DRIVEN or e.drives for e in done) and not who.walks
+        steers = any(e.name in _DRIVEN or "drives" in e.data for e in done)
+        at_wheel = steers and "walks" not in who.marks
         if at_wheel and not drives:
             wheel = Term("actor", "ego", who.i, who.j, data={"ego": True})
             who.same_as = Mention(who.i, who.j, [], wheel, heads=[wheel])
@@ -121,8 +123,9 @@ def open_from_inside(events: list[Event], tokens: list[Token]) -> None:
             continue
         event.name, event.object = "door", None
         event.pps = [p for p in event.pps if p.target is not around]
-        if around.possessed:
-            around.same_as, people[-1].drives = people[-1], True
+        if around.has("possessive"):
+            around.same_as = people[-1]
+            people[-1].marks.add("drives")
             continue  # "his van": he stands for it
         event.subject = [around]
         besides = {id(m) for e in events for m in e.subject}
@@ -194,7 +197,7 @@ def teller_goes_by(
     my_car = any(m.is_ego and tokens[m.i].low in _MY for m in mentions)
     kinds = [(m, KINDS[h.value]) for m in mentions for h in m.heads if h.value in KINDS]
     mines = [kind for m, kind in kinds if mine(m, kind)]
-    if my_car or any(e.drives for e in own):
+    if my_car or any("drives" in e.data for e in own):
         return next(iter(mines), None)
     ridden = {m.value for c in mentions for m in c.heads} & _RIDDEN
     cycles = any(_cycles(e) for e in own) or _rides(tokens, others=bool(ridden))

@@ -19,7 +19,7 @@ _TWO = 2
 def of_pronoun(
     roster: Roster, mention: Mention, exclude: list[Entity], near: str | None
 ) -> list[Entity]:
-    """The participants that a pronoun refers to; ``near`` as in ``Discourse.resolve``."""
+    """The participants that a pronoun refers to; ``near`` as in ``discourse.resolve``."""
     which = mention.pronoun
     basis = Basis(mention.i, mention.j)
     if which == "everybody":
@@ -28,8 +28,8 @@ def of_pronoun(
         beside = [e for e in roster.still_near(near) if e not in exclude]
         told = beside if _word(roster, mention) == "it" else []
         return told or _single(roster, mention, exclude)
-    if which == "they" and not mention.walks and all(e.ego for e in roster.entities):
-        drives = mention.drives and _word(roster, mention) == "they"
+    if which == "they" and "walks" not in mention.marks and all(e.ego for e in roster.entities):
+        drives = "drives" in mention.marks and _word(roster, mention) == "they"
         return _new_driver(roster, mention) if drives else roster.together([])
     if which in {"they", "both", "all", "neither"}:
         return _together(roster, mention, exclude)
@@ -52,7 +52,7 @@ def _together(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[E
     joined = roster.joined if roster.subject == roster.joined[-len(roster.subject) :] else []
     count = _TWO if mention.pronoun == "both" else len(joined)
     count = int(number.data["number"]) if number is not None else count
-    if joined and len(joined) == count and not mention.walks:
+    if joined and len(joined) == count and "walks" not in mention.marks:
         return joined  # "a van and a bus drive ahead of the ego; both brake"
     meant = roster.together(exclude)
     if number is not None and count != len(meant):
@@ -76,7 +76,8 @@ def _single(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Ent
         named = ((e, roster.tokens[e.basis.i or 0 : e.basis.j or 0]) for e in roster.entities)
         exclude = [*exclude, *(e for e, own in named if any(t.base in not_so for t in own))]
     afoot = [e for e in recent if not e.is_vehicle and e not in exclude]
-    if word == "it" and mention.walks and not mention.drives and afoot:
+    drives, walks = "drives" in mention.marks, "walks" in mention.marks
+    if word == "it" and walks and not drives and afoot:
         return afoot[-1:]  # "two cars hide a child; it walks out"
     if word == "it":
         recent = [e for e in recent if e.is_vehicle] or recent
@@ -95,13 +96,13 @@ def _single(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Ent
         since = order[order.index(options[0]) + 1 :]
         others = [e for e in since if not _person(roster, e) and e not in exclude]
         # "a rider passes the ego as it turns"; "a child behind a parked car; it is hit"
-        options = [e for e in others if mention.drives or not e.still][-1:] or options
+        options = [e for e in others if drives or not e.still][-1:] or options
     if word in {"he", "she"} and all("speaks" in e.named_by for e in roster.entities):
         return _new_driver(roster, mention)  # not the one who tells it
-    if mention.stood and not any(e.still for e in options):
+    if "stood" in mention.marks and not any(e.still for e in options):
         standing = [e for e in recent if e.still and e not in exclude]
         options = standing[-1:] or options  # "as the ego passes a parked car, it sets off"
-    elif mention.drives and any(e.parked for e in options):
+    elif drives and any(e.parked for e in options):
         driving = [e for e in recent if e.moving_vehicle and e not in exclude]
         running = [e for e in roster.recent if e.kind in ANIMALS and e not in exclude]
         options = (driving or running)[-1:] or options  # "a van is parked in its lane; it swerves"
@@ -122,9 +123,9 @@ def _persons(
     known = [e for e in known if e.kind not in ANIMALS] or known
     people = [e for e in known if _person(roster, e)]
     drivers = [e for e in known if "somebody" in e.named_by and e.is_vehicle]
-    if mention.drives:
+    if "drives" in mention.marks:
         people = drivers or [e for e in people if e.is_vehicle] or people
-    elif mention.walks:
+    elif "walks" in mention.marks:
         people = [e for e in people if not e.is_vehicle] or people
     people = people or drivers
     told = [e for e in options if e in people]

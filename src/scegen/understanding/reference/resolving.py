@@ -2,59 +2,68 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing, Word
+from scegen.scenario.vocabulary import ParticipantKind
+from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.clauses.located import is_it
+from scegen.understanding.entity import Basis
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.bonds import Bonds, bonds_of
 from scegen.understanding.reference.describing import describe
-from scegen.understanding.reference.discourse import Discourse
-from scegen.understanding.reference.egos import rank
+from scegen.understanding.reference.discourse import resolve
+from scegen.understanding.reference.egos import rank, the_teller
 from scegen.understanding.reference.generic import mark_generic
 from scegen.understanding.reference.mention_words import is_pronoun
 from scegen.understanding.reference.own_vehicles import is_apart, teller_goes_by
+from scegen.understanding.reference.roster import Roster
+from scegen.understanding.words.terms import Term
 
 _BACKWARDS = {"ahead": "behind", "behind": "ahead"}
 
 
-def resolve_mentions(chunks: list[Chunk], events: list[Event], discourse: Discourse) -> None:
+def resolve_mentions(chunks: list[Chunk], events: list[Event], roster: Roster) -> None:
     """Finds out whom every mention refers to, in the order of the text."""
-    describe(chunks, events, discourse.tokens)
-    discourse.told_by(teller_goes_by(chunks, events, discourse.tokens), apart=is_apart(chunks))
-    mark_generic(chunks, events, discourse.tokens)
-    rank(chunks, events, discourse.tokens)
-    bonds = bonds_of(chunks, events, discourse.tokens)
+    describe(chunks, events, roster.tokens)
+    teller = teller_goes_by(chunks, events, roster.tokens)
+    roster.teller = teller or ParticipantKind.CAR
+    roster.apart = is_apart(chunks) and teller is not None
+    mark_generic(chunks, events, roster.tokens)
+    rank(chunks, events, roster.tokens)
+    bonds = bonds_of(chunks, events, roster.tokens)
     owners = {id(c.owner) for c in chunks if isinstance(c, Mention | Thing)}
     stand = {id(m): e for e in events if e.name == "park" and not e.negated for m in e.subject}
     waiting: list[Mention] = []
     early: list[Mention] = []
     for chunk in chunks:
-        _told_by_somebody(chunk, discourse)
+        _told_by_somebody(chunk, roster)
         if not isinstance(chunk, Mention) or (id(chunk) in owners and _on_no_road(chunk)):
             continue
-        if chunk.partitive and chunk.pronoun in word_list("parts"):
+        if chunk.whole is not None and chunk.pronoun in word_list("parts"):
             waiting.append(chunk)
             continue
         if is_pronoun(chunk) and _named_later(chunk, chunks):
             early.append(chunk)
             continue
-        _resolve(chunk, discourse, bonds)
+        _resolve(chunk, roster, bonds)
         if id(chunk) in stand:
             _parked(chunk, stand[id(chunk)])
         if early and id(chunk) in bonds.subjects:
             waiting, early = [*waiting, *early], []
         for earlier in waiting:
-            _resolve(earlier, discourse, bonds)
+            _resolve(earlier, roster, bonds)
         waiting = []
     for earlier in (*waiting, *early):
-        _resolve(earlier, discourse, bonds)
+        _resolve(earlier, roster, bonds)
 
 
-def _told_by_somebody(chunk: Chunk, discourse: Discourse) -> None:
+def _told_by_somebody(chunk: Chunk, roster: Roster) -> None:
     """``in our lane``, ``sits on my bumper``: whoever tells it takes part."""
-    if isinstance(chunk, Place | Thing) and chunk.has("possessive", "first_person"):
-        discourse.observer(chunk.i, chunk.j)
-    if isinstance(chunk, Word | Event) and discourse.tells(chunk.i, chunk.j):
-        discourse.observer(chunk.i, chunk.j)
+    if isinstance(chunk, Place | Thing):
+        ours = chunk.has("possessive", "first_person")
+    else:
+        said = any(t.low in {"my", "our"} for t in roster.tokens[chunk.i : chunk.j])
+        ours = said and not isinstance(chunk, Mention)
+    if ours:
+        the_teller(roster, ParticipantKind.CAR, Basis(chunk.i, chunk.j))
 
 
 def _parked(mention: Mention, event: Event) -> None:
@@ -69,22 +78,22 @@ def _named_later(pronoun: Mention, chunks: list[Chunk]) -> bool:
     if any(isinstance(c, Mention) and c.entities for c in chunks):
         return False
     for chunk in chunks:
-        if isinstance(chunk, Word) and chunk.i < pronoun.i:
+        if isinstance(chunk, Term) and chunk.i < pronoun.i:
             opened = opened or chunk.cat == "sub"
-        if isinstance(chunk, Word) and chunk.i > pronoun.i and chunk.value in {".", ";"}:
+        if isinstance(chunk, Term) and chunk.i > pronoun.i and chunk.value in {".", ";"}:
             return False
         if isinstance(chunk, Mention) and chunk.i > pronoun.i and chunk.heads:
             return opened
     return False
 
 
-def _resolve(mention: Mention, discourse: Discourse, bonds: Bonds) -> None:
+def _resolve(mention: Mention, roster: Roster, bonds: Bonds) -> None:
     unlike = [m for m in bonds.unlike[id(mention)] if isinstance(m, Mention)]
     if mention.joined is not None and mention.pronoun is None:
         unlike.append(mention.joined)  # "a van and the van behind": two
     exclude = [e for m in unlike for e in m.entities]
     mention.same_as = bonds.again.get(id(mention), mention.same_as)
-    known = discourse.entities
+    known = roster.entities
     egos = [e for e in known if e.ego]
     hides = id(mention) in bonds.hiding and is_it(mention) and len(egos) < len(known)
     still = [e for e in known if e.still or "stationary" in e.named_by]
@@ -92,7 +101,8 @@ def _resolve(mention: Mention, discourse: Discourse, bonds: Bonds) -> None:
         exclude += [e for e in known if e not in still]  # "passes a halted bus …, out behind it"
     if hides or any(m.is_ego for m in unlike):
         exclude += egos  # who looks on hides nobody from itself
-    discourse.resolve(
+    resolve(
+        roster,
         mention,
         subject=id(mention) in bonds.subjects,
         exclude=exclude,
@@ -105,7 +115,7 @@ def _resolve(mention: Mention, discourse: Discourse, bonds: Bonds) -> None:
         entity.loci |= loci
         entity.nears = not entity.ego if id(mention) in bonds.nearing else entity.nears
     for who, locus, by in bonds.along[id(mention)]:
-        there = [e for e in discourse.entities if locus in e.loci]  # who is named first is nearest
+        there = [e for e in roster.entities if locus in e.loci]  # who is named first is nearest
         if not there and (by is None or any(e.ego for e in by.entities)):
             for entity in who.entities:
                 entity.loci |= {locus}
@@ -122,4 +132,4 @@ def _seen_from_the_ego(mention: Mention, placed: list[Mention], events: list[Eve
 
 def _on_no_road(owner: Mention) -> bool:
     """``the neighbour's van``: the van takes part, the neighbour does not."""
-    return owner.is_person and not any("afoot" in h.data for h in owner.heads[-1:])
+    return owner.noun == "pedestrian" and not any("afoot" in h.data for h in owner.heads[-1:])

@@ -38,7 +38,7 @@ class Group:
 def opened(reading: Reading, mention: Mention, entities: list[Entity]) -> list[Entity]:
     """``parked cars … a driver opens his door``: the driver stands for one of them."""
     aboard = mention.head is not None and bool(mention.head.data.get("aboard"))
-    if not mention.seated or not (reading.driver or aboard):
+    if "seated" not in mention.marks or not (reading.driver or aboard):
         return []
     return [e for e in entities if e.parked][-1:]
 
@@ -66,6 +66,7 @@ class Roster:
     Attributes:
         draft: where participants are kept.
         tokens: the tokens of the text.
+        arms: arms of the junction, for "from all directions".
         groups: participants that came up together.
         recent: everybody, the one spoken of last at the end.
         subject: who acted last.
@@ -80,6 +81,7 @@ class Roster:
 
     draft: Draft
     tokens: list[Token]
+    arms: int
     groups: list[Group] = field(default_factory=list)
     recent: list[Entity] = field(default_factory=list)
     subject: list[Entity] = field(default_factory=list)

@@ -6,14 +6,17 @@ import re
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass, replace
 from enum import StrEnum
+from itertools import pairwise
 from typing import Any
 
+from pydantic import Field
+
 from scegen.errors import InfeasibleError
-from scegen.scenario.evidence import Evidence, EvidenceSource
+from scegen.scenario.evidence import EvidenceSource
 from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.model import FrozenModel
 from scegen.understanding.building.coverage import CONTRADICTS
 from scegen.understanding.reader import read
-from scegen.understanding.report.disagreement import Disagreement, Kept
 
 _QUOTED = re.compile(r"'([^']+)'")
 
@@ -93,7 +96,10 @@ def report_on(
         scenario: a scenario with evidence.
         disagreements: what was read in two ways; contradictions, each with its words.
     """
-    found = [_from_evidence(item, scenario) for item in scenario.evidence]
+    found = []
+    for e in scenario.evidence:
+        standing, value = STANDINGS[e.source], _value(scenario, e.field)
+        found.append(Finding(standing, e.field, value, e.text, e.start, e.end, e.reason))
     for left in scenario.unsupported:
         contradicts = left.instead.startswith(CONTRADICTS)
         standing = Standing.CONTRADICTED if contradicts else Standing.UNSUPPORTED
@@ -146,18 +152,6 @@ def _sorted(found: list[Finding]) -> tuple[Finding, ...]:
     )
 
 
-def _from_evidence(item: Evidence, scenario: FunctionalScenario) -> Finding:
-    return Finding(
-        STANDINGS[item.source],
-        item.field,
-        _value(scenario, item.field),
-        item.text,
-        item.start,
-        item.end,
-        item.reason,
-    )
-
-
 def _from_disagreement(item: Disagreement, scenario: FunctionalScenario) -> Finding:
     said = f"the offline reader says {item.reader}, the agents say {item.agents}; "
     said += f"the {item.kept} stand{'s' if item.kept is Kept.READER else ''}: {item.reason}"
@@ -197,3 +191,70 @@ def _words(value: object) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     return f"{value:.4g}" if isinstance(value, float) else str(value)
+
+
+class Kept(StrEnum):
+    """Whose value stands."""
+
+    READER = "reader"
+    AGENTS = "agents"
+
+
+class Disagreement(FrozenModel):
+    """A fact of the text that the offline reader and the agents read differently.
+
+    ``start`` and ``end`` are the place of ``words`` in the description.
+    """
+
+    field: str
+    words: str
+    start: int = Field(ge=0)
+    end: int = Field(ge=0)
+    reader: str
+    agents: str
+    kept: Kept
+    reason: str
+
+
+_RANK = (
+    Standing.CONTRADICTED,
+    Standing.UNSUPPORTED,
+    Standing.UNDERSTOOD,
+    Standing.INFERRED,
+    Standing.ASSUMED,
+)
+"""Trouble first; then the firmest ground: words inside a longer phrase keep their own standing."""
+
+
+@dataclass(frozen=True, slots=True)
+class Passage:
+    """Consecutive characters on which the same findings rest.
+
+    Attributes:
+        start: first character.
+        end: offset after the last character.
+        standing: the one to show, None where nothing rests on the words.
+        findings: all that rests on them.
+    """
+
+    start: int
+    end: int
+    standing: Standing | None
+    findings: tuple[Finding, ...]
+
+
+def passages(report: ParseReport) -> tuple[Passage, ...]:
+    """The whole text in passages without gap or overlap, cut where any finding begins or ends."""
+    size = len(report.text)
+    placed = [
+        (max(f.start, 0), min(f.end, size), f)
+        for f in report.findings
+        if f.start is not None and f.end is not None
+    ]
+    cuts = sorted({0, size, *(cut for a, b, _ in placed if a < b for cut in (a, b))})
+    found = []
+    for start, end in pairwise(cuts):
+        here = tuple(f for a, b, f in placed if a <= start and end <= b)
+        standing = min((f.standing for f in here), key=_RANK.index, default=None)
+        found.append(Passage(start, end, standing, here))
+    return tuple(found)

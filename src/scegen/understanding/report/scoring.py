@@ -1,12 +1,18 @@
-"""Compares a scenario with what a label expects, field by field."""
+"""Labelled descriptions: read from files, and how well a reading matches its label."""
 
 from __future__ import annotations
 
+import json
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
+from importlib.resources import files
+from pathlib import Path
 from typing import Any
 
+from scegen.errors import InputError
+from scegen.scenario.files import read_text
 from scegen.scenario.functional import FunctionalScenario, Participant
 
 
@@ -37,38 +43,21 @@ def score(expect: Mapping[str, Any], scenario: FunctionalScenario) -> Score:
             from), ``hazards`` (``must`` and ``may``).
         scenario: the scenario to judge.
     """
-    fields: dict[str, bool] = {}
-    problems: list[str] = []
-    junction = scenario.junction
-    for name, value in (
-        ("junction", junction.kind.value),
-        ("arms", junction.arms),
-        ("control", junction.control.value),
-    ):
-        if name in expect:
-            fields[name] = value in expect[name]
-            if not fields[name]:
-                problems.append(f"{name} is {value}, expected one of {expect[name]}")
-    for name, judge in (
-        ("actors", _actors),
-        ("ego", _ego),
-        ("others", _others),
-        ("hazards", _hazards),
-    ):
-        if name in expect:
-            problem = judge(expect, scenario)
-            fields[name] = problem is None
-            if problem is not None:
-                problems.append(problem)
-    return Score(fields, tuple(problems))
-
-
-def _counted(participant: Participant) -> str:
-    return f"parked_{participant.kind}" if participant.parked else str(participant.kind)
+    road = scenario.junction
+    said = {"junction": road.kind.value, "arms": road.arms, "control": road.control.value}
+    judges = {"actors": _actors, "ego": _ego, "others": _others, "hazards": _hazards}
+    told = {name: (value, expect[name]) for name, value in said.items() if name in expect}
+    judged = {
+        name: None if value in wanted else f"{name} is {value}, expected one of {wanted}"
+        for name, (value, wanted) in told.items()
+    }
+    judged |= {name: judge(expect, scenario) for name, judge in judges.items() if name in expect}
+    problems = tuple(problem for problem in judged.values() if problem is not None)
+    return Score({name: problem is None for name, problem in judged.items()}, problems)
 
 
 def _actors(expect: Mapping[str, Any], scenario: FunctionalScenario) -> str | None:
-    found = Counter(_counted(p) for p in scenario.participants)
+    found = Counter(f"parked_{p.kind}" if p.parked else str(p.kind) for p in scenario.participants)
     wanted: Mapping[str, list[int]] = expect["actors"]
     for kind, (fewest, most) in wanted.items():
         if not fewest <= found[kind] <= most:
@@ -142,3 +131,55 @@ def _hazards(expect: Mapping[str, Any], scenario: FunctionalScenario) -> str | N
     if not missing and not surplus:
         return None
     return f"hazards: missing {missing}, unexpected {surplus}"
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """A description with the label to judge its reading by.
+
+    Attributes:
+        id: name of the case.
+        text: the description.
+        expect: the label, see :func:`scegen.understanding.report.scoring.score`.
+    """
+
+    id: str
+    text: str
+    expect: Mapping[str, Any]
+
+
+def _parse(content: str, where: str) -> tuple[Case, ...]:
+    cases: list[Case] = []
+    ids: set[str] = set()
+    for number, line in enumerate(content.splitlines(), start=1):
+        if not line.strip():
+            continue
+        try:
+            record = json.loads(line)
+            cases.append(Case(record["id"], record["text"], record["expect"]))
+        except (ValueError, KeyError, TypeError, RecursionError) as error:
+            msg = "a line must be a JSON object with id, text and expect"
+            raise InputError(msg, where=f"{where}:{number}") from error
+        if cases[-1].id in ids:
+            msg = f"another line has the id {cases[-1].id!r} too"
+            raise InputError(msg, where=f"{where}:{number}", hint="give each line its own")
+        ids.add(cases[-1].id)
+    if not cases:
+        raise InputError("holds no description", where=where)
+    return tuple(cases)
+
+
+@lru_cache(maxsize=1)
+def paper_cases() -> tuple[Case, ...]:
+    """The 11 sentences of the source paper, with labels."""
+    content = files(__package__).joinpath("data/paper.jsonl").read_text(encoding="utf-8")
+    return _parse(content, "paper.jsonl")
+
+
+def load_cases(path: Path) -> tuple[Case, ...]:
+    """Labelled descriptions from a file with one JSON object a line.
+
+    Raises:
+        InputError: if the file cannot be read or a line is not a labelled description.
+    """
+    return _parse(read_text(path), str(path))

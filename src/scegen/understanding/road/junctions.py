@@ -10,9 +10,8 @@ from scegen.scenario.junction import ARM_COUNTS, MAX_ARMS
 from scegen.scenario.vocabulary import Control, JunctionKind
 from scegen.understanding.entity import Basis
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.road.dark_lights import flashing, out_of_order
-from scegen.understanding.words import absent
-from scegen.understanding.words.absent import named_by_letter, only_counted
+from scegen.understanding.road import absent
+from scegen.understanding.road.absent import flashing, named_by_letter, only_counted, out_of_order
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -27,13 +26,12 @@ _FEWEST_ARMS = 3
 class JunctionReading:
     """What the text says about the junction; None where it says nothing.
 
+    With ``_basis``: the words for it, or the reason.
+
     Attributes:
         kind: its shape.
-        kind_basis: the words for it.
         arms: number of arms.
-        arms_basis: the words for them, or the reason.
         control: who regulates priority.
-        control_basis: the words for it.
         dark: the words that say that lights do not work.
         named: some word for a junction occurs, even if not its shape.
         straight: the words for a straight road.

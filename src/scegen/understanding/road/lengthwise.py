@@ -16,7 +16,7 @@ from scegen.understanding.entity import Basis
 from scegen.understanding.frames.loader import cues
 from scegen.understanding.frames.windows import frame_of, window
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.words import absent
+from scegen.understanding.road import absent
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -152,8 +152,7 @@ class Lengthwise:
     """What the text says of the road itself; None where it says nothing.
 
     Attributes:
-        carriageway: how its directions lie to each other.
-        carriageway_basis: the words for it.
+        carriageway: how its directions lie to each other, with the words for it.
         presumed: those words only make it likely ("a highway").
         median: those words name a median.
         strips: what lies beside its lanes, with the words for it.

@@ -1,19 +1,20 @@
-"""Reads weather, light, road surface, speed limit, lanes and driving side."""
+"""Reads weather, light, road surface, speed limit, lanes and their size, driving side."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from scegen.errors import InfeasibleError
 from scegen.scenario.junction import MAX_LANES
+from scegen.scenario.roadway import AUXILIARY_LENGTHS_M, LANE_WIDTHS_M
 from scegen.scenario.vocabulary import DrivingSide
 from scegen.understanding.entity import Basis
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.road.lengthwise import last_of, role_of, value_of
-from scegen.understanding.words.lane_widths import size_of_lanes
 from scegen.understanding.words.terms import Term
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.tokens import Token, low_at
 from scegen.units import speed_mps
 
 _LIMIT_REACH = 4
@@ -31,11 +32,9 @@ class Surroundings:
         conditions: field of the environment -> value and words.
         road: field of the junction for how fast, how wide or how long -> number and words.
         measured: the numbers that say so, which are nobody's speed and nobody's distance.
-        lanes: lanes per direction.
-        lanes_basis: the words or the reason.
+        lanes: lanes per direction, with the words or the reason.
         lanes_in_all: what the text counts, where it seems to count both directions together.
-        side: driving side.
-        side_basis: its words.
+        side: driving side, with its words.
         highway: the words for a road with several lanes each way.
         two_lane: the words "two lanes" without "per direction": those of a roundabout's ring.
     """
@@ -161,3 +160,54 @@ def _one_way(after: list[Term], count: int, tokens: list[Token]) -> bool:
     odd = count > 1 and count % 2 == 1
     fast = any(term.value == "highway" for term in after)
     return bool(words & word_list("carriageways")) or (fast and odd)
+
+
+def size_of_lanes(terms: Sequence[Term], k: int, tokens: list[Token]) -> tuple[str, float] | None:
+    """``lane_width_m``, or ``auxiliary_length_m`` (of a ramp's lane, or of one that ends).
+
+    None where a term gives neither that can be built.
+    """
+    lanes = [t for t in terms if _is_lane(t) or _names_it(t, tokens)]
+    ending = [t for t in terms if "auxiliary" in t.data]
+    for name, named, limits, how in (
+        ("lane_width_m", lanes, LANE_WIDTHS_M, "wide"),
+        ("auxiliary_length_m", ending, AUXILIARY_LENGTHS_M, "long"),
+    ):
+        length = _length_m(terms[k], limits)
+        if length is not None and _told_of(named, terms[k], tokens, how):
+            return name, length
+    return None
+
+
+def _length_m(term: Term, limits: tuple[float, float]) -> float | None:
+    """The length that a term gives exactly, within limits."""
+    if (term.cat, term.value) != ("quantity", "length"):
+        return None
+    value = term.data["quantity"].exact
+    return float(value.low) if limits[0] <= value.low == value.high <= limits[1] else None
+
+
+def _told_of(lanes: list[Term], length: Term, tokens: list[Token], how: str) -> bool:
+    """``3 m wide lanes``, ``lanes narrowed to 2.6 m``, ``a merging lane of 180 m``."""
+    words = word_list(how)
+    if any(lane.i == length.j + (low_at(tokens, length.j) in words) for lane in lanes):
+        return True
+    lane = next((t for t in reversed(lanes) if t.j <= length.i), None)
+    if lane is None:
+        return False
+    begin = lane.j - (tokens[lane.j - 1].low in words)  # "lane width"
+    between = {t.low for t in tokens[begin : length.i]}
+    after = {t.low for t in tokens[length.j : length.j + 2]}
+    told = not words.isdisjoint(between | after) or between == {"of"}
+    return told and between <= word_list("between_widths") | words
+
+
+def _names_it(term: Term, tokens: list[Token]) -> bool:
+    """``lane width``."""
+    words = [t.low for t in tokens[term.i : term.j]]
+    return words[:1] == ["lane"] and words[-1] in word_list("wide")
+
+
+def _is_lane(term: Term) -> bool:
+    """A lane as any other of the road."""
+    return (term.cat, term.value) == ("place", "lane") and not {"ranked", "dir"} & {*term.data}

@@ -28,6 +28,7 @@ from itertools import takewhile
 from typing import TypeAlias
 
 from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind
+from scegen.understanding.entity import Entity
 from scegen.understanding.frames.loader import read
 from scegen.understanding.frames.windows import Window
 from scegen.understanding.semantics import lanes, patterns
@@ -82,18 +83,18 @@ def _each(judge: Callable[[Iterable[bool]], bool]) -> Kind:
     return kind
 
 
-def _some(rest: str) -> Test:
-    find = who(rest)
-    return lambda clause, context: bool(find(clause, context))
+def _found(judge: Callable[[list[Entity]], bool]) -> Kind:
+    """``WHO``: whether somebody is found, or how many."""
 
+    def kind(rest: str) -> Test:
+        find = who(rest)
+        return lambda clause, context: judge(find(clause, context))
 
-def _one(rest: str) -> Test:
-    find = who(rest)
-    return lambda clause, context: len(find(clause, context)) == 1
+    return kind
 
 
 def _no(rest: str) -> Test:
-    found = _each(any)(rest) if " is " in rest else _some(rest)
+    found = (_each(any) if " is " in rest else _KINDS["some"])(rest)
     return lambda clause, context: not found(clause, context)
 
 
@@ -108,11 +109,6 @@ def _over(rest: str) -> Test:
     return lambda clause, c: (own(clause, c) and direct(clause, c)) or phrase(clause, c)
 
 
-def _how(rest: str) -> Test:
-    values = rest.split()
-    return lambda clause, _: clause.event.how(*values) is not None
-
-
 def _next_word(clause: Clause, context: Context) -> list[str]:
     """The word behind a verb, if it is one by itself: not that of "in front of"."""
     opened = next((p.word for p in clause.event.pps if p.word.i == clause.event.j), None)
@@ -124,14 +120,6 @@ def _next_word(clause: Clause, context: Context) -> list[str]:
 def _here(words: Iterable[str]) -> Iterable[str]:
     """The words up to the end of a sentence."""
     return takewhile(lambda word: word not in _MARKS, words)
-
-
-def _lately(clause: Clause, context: Context) -> Iterable[str]:
-    return _here(reversed(context.lows(clause.event.i - _SOON, clause.event.i)))
-
-
-def _soon(clause: Clause, context: Context) -> Iterable[str]:
-    return _here(context.lows(clause.event.j, clause.event.j + _SOON))
 
 
 def _opened(clause: Clause, context: Context) -> list[str]:
@@ -190,12 +178,12 @@ _KINDS: dict[str, Kind] = {
     "object": _fits(lambda clause: [clause.event.object]),
     "goal": _fits(lambda clause: [lanes.into_lane(clause.event)]),
     "over": _over,
-    "some": _some,
-    "one": _one,
+    "some": _found(bool),
+    "one": _found(lambda found: len(found) == 1),
     "any": _each(any),
     "all": _each(all),
     "no": _no,
-    "how": _how,
+    "how": lambda rest: lambda clause, _: clause.event.how(*rest.split()) is not None,
     "own": _among(_own),
     "mod": _among(lambda clause, c: [c.tokens[m.j - 1].low for m in clause.event.mods]),
     "via": _among(
@@ -204,9 +192,11 @@ _KINDS: dict[str, Kind] = {
     "ends": _among(lambda clause, c: [c.tokens[clause.event.j - 1].low]),
     "before": _among(lambda clause, c: c.lows(clause.event.i - 1, clause.event.i)),
     "next": _among(_next_word),
-    "soon": _among(_soon),
+    "soon": _among(lambda clause, c: _here(c.lows(clause.event.j, clause.event.j + _SOON))),
     "opened": _among(_opened),
-    "lately": _among(_lately),
+    "lately": _among(
+        lambda clause, c: _here(reversed(c.lows(clause.event.i - _SOON, clause.event.i)))
+    ),
     "tells": _tells,
     "said": _among(lambda clause, c: [base_words(c.tokens, clause.event.i, clause.event.j)]),
     "measured": _among(lambda c, _: [m.value for m in c.event.mods if m.cat == "quantity"]),

@@ -45,11 +45,6 @@ class Clause:
         return [e for e in self.actors if e.moving_vehicle]
 
     @property
-    def walkers(self) -> list[Entity]:
-        """Actors on foot."""
-        return [e for e in self.actors if not e.is_vehicle]
-
-    @property
     def alternative(self) -> int | None:
         """Marks events that the text offers as alternatives ("either … or …")."""
         told = (e.alternative for e in self.event.upwards() if e.alternative is not None)
@@ -126,17 +121,7 @@ class Context:
     @property
     def meeting(self) -> bool:
         """Whether roads meet, as the text says or implies so far."""
-        return self.junction.crossing or self.draft.crossing_implied is not None
-
-    def crossing_implied(self, basis: Basis, reason: str) -> None:
-        """Something takes place that needs a junction."""
-        if self.draft.crossing_implied is None:
-            self.draft.crossing_implied = basis.because(reason)
-
-    def lanes_implied(self, basis: Basis, reason: str) -> None:
-        """Something takes place that needs a second lane."""
-        if self.draft.lanes_implied is None:
-            self.draft.lanes_implied = basis.because(reason)
+        return self.junction.crossing or "crossing" in self.draft.implied
 
     def ahead(self, front: list[Entity], back: list[Entity], basis: Basis) -> None:
         """The first drive ahead of the second."""
@@ -171,7 +156,7 @@ class Context:
         across = {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE}
         named = self.draft.placements_of(entity)
         lateral = {Approach.LEFT, Approach.RIGHT}
-        met = self.meeting or self.draft.side_road is not None
+        met = self.meeting or "side_road" in self.draft.implied
         met = met or any(p.approaches == lateral for p in named)  # "on perpendicular roads"
         return met and any(p.approaches & across for p in named)
 
@@ -226,13 +211,8 @@ def stray_clauses(chunks: list[Chunk], clauses: list[Clause]) -> Iterator[Clause
         elif not isinstance(noun, Place) or id(noun) in taken:
             continue
         else:
-            opens = all(getattr(c, "cat", "") == "punct" for c in before[-2:-1])
-            heads = [c for c in after if getattr(c, "value", "") != ","][:1] if opens else []
+            opens = all(c.cat == "punct" for c in before[-2:-1])
+            heads = [c for c in after if c.value != ","][:1] if opens else []
             who = next((c for c in heads if isinstance(c, Mention)), None)
         event = Event("", noun.prep.i, noun.j, "", pps=[Prep(noun.prep, noun)])
         yield Clause(event, list(who.entities) if who is not None else [], [])
-
-
-def clause_of_everybody(entities: list[Entity]) -> Clause:
-    """The text as a whole: a clause without words in which everybody takes part."""
-    return Clause(Event("", 0, 0, ""), list(entities), [])

@@ -10,13 +10,13 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.signals import AtLight
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
 from scegen.understanding.chunks import NounPhrase, Prep
+from scegen.understanding.draft import IMPLIED
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Doing
 from scegen.understanding.semantics.context import Clause, Context, span
-from scegen.understanding.semantics.marks import MARKS, Mark, first
+from scegen.understanding.semantics.marks import MARKS, REWRITES, Mark, first
 from scegen.understanding.semantics.met import apart
 from scegen.understanding.semantics.patterns import end, noun, people, phrases
-from scegen.understanding.semantics.rewriting import REWRITES
 from scegen.understanding.semantics.seen import Site
 from scegen.understanding.semantics.sites import PUTS
 from scegen.understanding.semantics.ways import VALUES, WORDS
@@ -68,8 +68,13 @@ def _words(expression: str, reason: str | None) -> Words:
     return basis
 
 
-def _hazard(kind: HazardKind, by: str, to: str, words: Words) -> Effect:
-    culprits, victims = who(by), who(to)
+def _causing(row: dict[str, Any]) -> str:
+    by: str = row.get("by", "drivers")
+    return by.removeprefix("maybe ")
+
+
+def _hazard(kind: HazardKind, row: dict[str, Any], words: Words) -> Effect:
+    culprits, victims = who(_causing(row)), who(row.get("to", "nobody"))
 
     def effect(clause: Clause, context: Context) -> None:
         basis, suffer = words(clause, context), victims(clause, context)
@@ -102,17 +107,15 @@ def _maneuver(said: str, of: str, words: Words) -> Effect:
     return effect
 
 
-def _place(
-    approaches: set[Approach], of: str, seen_from: str | None, words: Words, *, unsaid: bool
-) -> Effect:
-    whom, reference = who(of), who(seen_from) if seen_from is not None else None
+def _place(approaches: set[Approach], row: dict[str, Any], of: str, words: Words) -> Effect:
+    whom, reference = who(of), who(row["from"]) if "from" in row else None
 
     def effect(clause: Clause, context: Context) -> None:
         basis = words(clause, context)
         observer = next(iter(reference(clause, context)), None) if reference is not None else None
         seen = reference is None or observer is not None
         for entity in list(whom(clause, context)) if seen else []:
-            if not unsaid or observer is None or apart(entity, observer, context):
+            if "unsaid" not in row or observer is None or apart(entity, observer, context):
                 context.draft.place(entity, observer, set(approaches), basis)
 
     return effect
@@ -215,51 +218,40 @@ def _rule_out(said: str) -> Effect:
 
 
 def _imply(name: str, words: Words) -> Effect:
+    if name not in (*IMPLIED, JunctionKind.ROUNDABOUT):
+        raise KeyError(name)
+
     def effect(clause: Clause, context: Context) -> None:
         if name == JunctionKind.ROUNDABOUT:
             junction = context.junction
             junction.kind, junction.kind_basis = JunctionKind(name), words(clause, context)
             return
-        known = getattr(context.draft, name)
-        setattr(context.draft, name, known or (name == "from_kerb") or words(clause, context))
+        context.draft.implied.setdefault(name, words(clause, context))
 
     return effect
 
 
-def _changes(row: dict[str, Any]) -> Iterable[Effect]:
-    """What a row does to the clause itself."""
-    if "targets" in row or "actors" in row:
-        yield _parts(row)
-    if "rewrite" in row:
-        yield REWRITES[row["rewrite"]]
-    if "as" in row:
-        yield lambda clause, _: setattr(clause.event, "name", row["as"])
-
-
-def _statements(row: dict[str, Any], by: str, of: str, words: Words) -> Iterable[Effect]:
-    """What a row says of participants."""
-    if "rules_out" in row:
-        yield _rule_out(row["rules_out"])
-    if "drop" in row:
-        yield _drop(HazardKind(row["drop"]), of)
-    if "unplace" in row:
-        yield _unplace(Approach(row["unplace"]), of)
-    for name in row.get("marks", ()):
-        yield _mark(MARKS[name], of, words)
-    for name in row.get("puts", ()):
-        yield _put(name, row["where"], of)
-    if "maneuver" in row:
-        yield _maneuver(row["maneuver"], of, words)
-    if "light" in row:
-        yield _mark(first("light", AtLight(row["light"])), of, words)
-    if "hazard" in row:
-        yield _hazard(HazardKind(row["hazard"]), by, row.get("to", "nobody"), words)
-    if "act" in row:
-        yield _act(row, of, words)
-    if "place" in row:
-        approaches = set(map(Approach, row["place"].split()))
-        unsaid = bool(row.get("unsaid"))
-        yield _place(approaches, of, row.get("from"), words, unsaid=unsaid)
+EFFECTS: dict[str, Callable[[Any, dict[str, Any], str, Words], Effect]] = {
+    "rewrite": lambda said, *_: REWRITES[said],
+    "as": lambda said, *_: lambda clause, _: setattr(clause.event, "name", said),
+    "lanes": lambda said, row, *_: _imply("lanes", _words(row.get("words", "event"), said)),
+    "crossing": lambda said, row, *_: _imply("crossing", _words(row.get("words", "event"), said)),
+    "rules_out": lambda said, *_: _rule_out(said),
+    "drop": lambda said, _row, of, _words: _drop(HazardKind(said), of),
+    "unplace": lambda said, _row, of, _words: _unplace(Approach(said), of),
+    "marks": lambda said, _row, of, words: _mark(MARKS[said], of, words),
+    "puts": lambda said, row, of, _words: _put(said, row["where"], of),
+    "maneuver": lambda said, _row, of, words: _maneuver(said, of, words),
+    "light": lambda said, _row, of, words: _mark(first("light", AtLight(said)), of, words),
+    "hazard": lambda said, row, _of, words: _hazard(HazardKind(said), row, words),
+    "act": lambda _said, row, of, words: _act(row, of, words),
+    "place": lambda said, row, of, words: _place(set(map(Approach, said.split())), row, of, words),
+    "implies": lambda said, _row, _of, words: _imply(said, words),
+    "note": lambda said, _row, _of, words: (
+        lambda clause, c: c.draft.note_at(words(clause, c), said)
+    ),
+}
+"""Key of a row -> what it does, by what stands there; in the order in which it is done."""
 
 
 def effects_of(row: dict[str, Any]) -> Iterable[Effect]:
@@ -269,14 +261,10 @@ def effects_of(row: dict[str, Any]) -> Iterable[Effect]:
         KeyError: names a word that means nothing here.
     """
     words = _words(row.get("words", "event"), row.get("reason"))
-    by = row.get("by", "drivers").removeprefix("maybe ")
-    yield from _changes(row)
-    if "lanes" in row:
-        yield lambda clause, c: c.lanes_implied(words(clause, c), row["lanes"])
-    if "crossing" in row:
-        yield lambda clause, c: c.crossing_implied(words(clause, c), row["crossing"])
-    yield from _statements(row, by, row.get("of", by), words)
-    if "implies" in row:
-        yield _imply(row["implies"], words)
-    if "note" in row:
-        yield lambda clause, c: c.draft.note_at(words(clause, c), row["note"])
+    of = row.get("of", _causing(row))
+    if "targets" in row or "actors" in row:
+        yield _parts(row)
+    for key, effect in EFFECTS.items():
+        told = row.get(key, [])
+        for said in told if isinstance(told, list) else [told]:
+            yield effect(said, row, of, words)

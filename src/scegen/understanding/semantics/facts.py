@@ -9,8 +9,8 @@ from scegen.scenario.vocabulary import Maneuver
 from scegen.understanding.entity import Entity
 from scegen.understanding.semantics import lanes, met, seen, ways
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.marks import rounded
 from scegen.understanding.semantics.met import goal_of_contact
-from scegen.understanding.semantics.rewriting import passes_round
 
 Test: TypeAlias = Callable[[Clause, Context], bool]
 _SCREENED = 12
@@ -24,20 +24,11 @@ def _is(name: str) -> Test:
     return lambda clause, _: bool(getattr(clause.event, name))
 
 
-def _rests_there(clause: Clause, _: Context) -> bool:
-    """``has stopped in the lane``: where everybody who acts is, nothing that they do."""
-    return bool(clause.actors) and all(_rests(e, clause.event.i) for e in clause.actors)
-
-
 def _rests(entity: Entity, i: int) -> bool:
-    said = [b for b in (entity.stands, entity.held, *entity.rests) if b is not None]
+    """``has stopped in the lane``: where somebody is, nothing that one does."""
+    said = [b for b in (entity.stands, entity.told.get("held"), *entity.rests) if b is not None]
     stays = entity.parked or (entity.stands is not None and entity.sets_off < 0)
     return stays or any(b.i == i for b in said)
-
-
-def _from_rest(clause: Clause, _: Context) -> bool:
-    """``accelerates from standstill``."""
-    return any(e.stands is not None and e.sets_off >= clause.event.i for e in clause.actors)
 
 
 def _moves_over(clause: Clause, _: Context) -> bool:
@@ -83,8 +74,8 @@ FACTS: dict[str, Test] = {
         ]
     ),
     "ramp": lambda _, context: context.draft.ramp is not None,
-    "access": lambda _, context: context.draft.access is not None,
-    "from_kerb": lambda _, context: context.draft.from_kerb,
+    "access": lambda _, context: "access" in context.draft.implied,
+    "from_kerb": lambda _, context: "from_kerb" in context.draft.implied,
     "controlled": lambda _, context: context.junction.control is not None,
     "dangerous": lambda _, context: bool(context.draft.dangers),
     "endangered": lambda _, c: any(d.by and not any(e.ego for e in d.by) for d in c.draft.dangers),
@@ -98,16 +89,20 @@ FACTS: dict[str, Test] = {
     "people_act": lambda clause, _: any(
         h.value == "pedestrian" for m in clause.event.subject for h in m.heads
     ),
-    "rests_there": _rests_there,
+    "rests_there": lambda clause, _: (
+        bool(clause.actors) and all(_rests(e, clause.event.i) for e in clause.actors)
+    ),
     "braked_before": lambda clause, _: any(
         e.brakes_from is not None and e.brakes_from < clause.event.i for e in clause.actors
     ),
-    "from_rest": _from_rest,
+    "from_rest": lambda clause, _: any(  # "accelerates from standstill"
+        e.stands is not None and e.sets_off >= clause.event.i for e in clause.actors
+    ),
     "moves_over": _moves_over,
     **lanes.FACTS,
     **ways.FACTS,
     **met.FACTS,
     **seen.FACTS,
-    "passes_round": passes_round,
+    "passes_round": lambda clause, c: rounded(clause, c) is not None,  # "edges round the van"
     "into_somebody": lambda clause, c: goal_of_contact(clause, c) is not None,
 }

@@ -1,4 +1,4 @@
-"""Into which lane, and into whose, a movement leads; which of several a number names."""
+"""What places tell: how one is seen, into which lane and into whose a movement leads."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ from scegen.scenario.vocabulary import Approach
 from scegen.understanding.chunks import Event, Place
 from scegen.understanding.entity import Entity
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.semantics.approaches import FACING, SIDES
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.words.numbers import POSITIONS, number_at
 from scegen.understanding.words.tokens import Token
@@ -33,11 +32,11 @@ def _from_the_next(clause: Clause, context: Context) -> bool:
     return named and entered and any(context.placed(e, Approach.ADJACENT) for e in who)
 
 
-def _against(entity: Entity, place: Place) -> bool:
+def _against(entity: Entity, place: Place | None) -> bool:
     """Whether a lane leads the other way than somebody is headed ("the northbound lane")."""
-    ways = {m.value for m in place.mods if m.cat == "compass"}
-    heading = entity.heading or ""
-    return place.kind == "lane" and FACING.get(heading, "") in ways
+    if place is None or place.kind != "lane":
+        return False
+    return place.has("compass", FACING.get(entity.heading or "", ""))
 
 
 def owners(lane: Place | None, clause: Clause, context: Context) -> list[Entity]:
@@ -53,7 +52,7 @@ def owners(lane: Place | None, clause: Clause, context: Context) -> list[Entity]
     if there and lane.kind == "lane":
         return there  # "the ego in the right lane …, a car changes to the right lane"
     its = [e for e in others if e.ego or (lane.kind == "path" and len(others) == 1)]
-    return its if lane.possessed and not kept else []
+    return its if lane.has("possessive") and not kept else []
 
 
 def _head_on(clause: Clause, place: Place | None, context: Context) -> bool:
@@ -96,14 +95,11 @@ def _head_on_somewhere(clause: Clause, context: Context) -> bool:
     )
 
 
-def _against_lane(clause: Clause, _: Context) -> bool:
-    lane = into_lane(clause.event)
-    return lane is not None and any(_against(e, lane) for e in clause.drivers)
-
-
 FACTS: dict[str, Callable[[Clause, Context], bool]] = {
     "from_the_next": _from_the_next,
-    "against_lane": _against_lane,
+    "against_lane": lambda clause, _: any(
+        _against(e, into_lane(clause.event)) for e in clause.drivers
+    ),
     "head_on_somewhere": _head_on_somewhere,
     "head_on": lambda clause, c: _head_on(clause, into_lane(clause.event), c),
 }
@@ -134,3 +130,65 @@ def counted_from(j: int, tokens: list[Token]) -> str:
     """``the third lane from the right``."""
     after = [t.low for t in tokens[j : j + FROM_SIDE]]
     return after[-1] if after[:2] == ["from", "the"] and after[-1] in {"left", "right"} else EITHER
+
+
+BY_DIR: dict[str, frozenset[Approach]] = {
+    "opposite": frozenset({Approach.OPPOSITE}),
+    "lateral": frozenset({Approach.LEFT, Approach.RIGHT}),
+    "ahead": frozenset({Approach.AHEAD}),
+    "behind": frozenset({Approach.BEHIND}),
+    "adjacent": frozenset({Approach.ADJACENT}),
+    "rear": frozenset({Approach.BEHIND}),
+    "front": frozenset({Approach.AHEAD}),
+    "same": frozenset({Approach.AHEAD, Approach.BEHIND, Approach.ADJACENT}),
+}
+INVERSE = {a: a for a in Approach} | {
+    Approach.AHEAD: Approach.BEHIND,
+    Approach.BEHIND: Approach.AHEAD,
+    Approach.LEFT: Approach.RIGHT,
+    Approach.RIGHT: Approach.LEFT,
+}
+"""How one sees another, by how the other sees the one."""
+FACING = {"north": "south", "south": "north", "east": "west", "west": "east"}
+"""Heading -> the opposite one."""
+SIDES = {"left": Approach.LEFT, "right": Approach.RIGHT}
+_PLACES = frozenset({"side", "direction", "lane", "sidewalk", "road", "shoulder", "bike_lane",
+                     "path", "leg"})  # fmt: skip
+_OFF_THE_ROAD = {"access": ("from", "in"), "bus_stop": ("in",), "parking": ("in",)}
+
+
+def adjective_approaches(dirs: list[str]) -> frozenset[Approach]:
+    """What "oncoming", "leading", "crossing" … before a noun say."""
+    return next((BY_DIR[value] for value in dirs if value in BY_DIR), frozenset())
+
+
+def place_approaches(place: Place, prep: str) -> frozenset[Approach]:
+    """What "from the right", "in the next lane", "on the pavement" say."""
+    if prep in _OFF_THE_ROAD.get(place.kind, ()):
+        return frozenset(SIDES[d] for d in place.dirs if d in SIDES)
+    if place.kind not in _PLACES:
+        return frozenset()
+    dirs = place.dirs
+    if prep in word_list("past") and {"front", "rear"} & set(dirs):
+        return frozenset()  # "runs around its front": past it, not there
+    sides = {SIDES[d] for d in dirs if d in SIDES}
+    other = any((m.cat, m.value) == ("det", "other") for m in place.mods)
+    if place.kind == "direction" and other:
+        return BY_DIR["opposite"]
+    if place.kind in {"lane", "bike_lane"}:
+        if "opposite" in dirs:
+            return BY_DIR["opposite"]
+        if "lateral" in dirs:
+            return BY_DIR["lateral"]
+        beside = sides or "adjacent" in dirs
+        return BY_DIR["adjacent"] if beside and prep in {"in", "from", ""} else frozenset()
+    if sides:
+        return frozenset(sides)
+    if "front" in dirs:
+        return frozenset({Approach.OPPOSITE if prep == "from" else Approach.AHEAD})
+    from_a_side = prep == "from" or (other and prep == "in")  # "stands on the other side"
+    if place.kind == "side" and not dirs and from_a_side and place.head is not None:
+        return BY_DIR["opposite" if other else "lateral"]
+    if "same" in dirs and prep != "from":
+        return frozenset()  # "in the same direction" is the way of those on one road anyway
+    return next((BY_DIR[d] for d in dirs if d in BY_DIR), frozenset())

@@ -68,7 +68,7 @@ def driven_up_to(clause: Clause, context: Context) -> list[Entity]:
 
 
 def _its(part: Place, event: Event) -> bool:
-    own = part.possessed and part.owner is None
+    own = part.has("possessive") and part.owner is None
     met = {"", "into", *(["with"] if event.lemma == "collide" else [])}
     met |= {"in"} if event.lemma in word_list("ending_up") else set()
     return own and "rear" in part.dirs and part.opening in met
@@ -163,7 +163,7 @@ def _touched(goal: NounPhrase, clause: Clause, context: Context) -> bool:
     if not isinstance(goal, Place) or goal.kind not in _BODY:
         return False
     end = bool({"front", "rear"} & set(goal.dirs))
-    owned = goal.owner is not None or goal.possessed
+    owned = goal.owner is not None or goal.has("possessive")
     named = goal.head is not None and (bool(goal.dirs) or goal.owner is not None)
     rests = clause.event.lemma in word_list("ending_up")  # "in its side"; "into its side" of a road
     rams = clause.event.lemma in word_list("ramming") and low_at(context.tokens, goal.j) != "of"
@@ -185,4 +185,4 @@ def touched(goal: NounPhrase | None, clause: Clause, context: Context) -> list[E
     if whom is not None:
         return [e for e in whom.entities if e not in clause.actors]
     egos = [e for e in context.draft.entities if e.ego and e not in clause.actors]
-    return egos if goal.possessed else []
+    return egos if goal.has("possessive") else []

@@ -43,10 +43,6 @@ def _opaque(n: NounPhrase | Event, _: Context) -> bool:
     return isinstance(n, Thing)
 
 
-def _is_of_the_ego(n: NounPhrase) -> bool:
-    return n.owner is not None and any(e.ego for e in n.owner.entities)
-
-
 def _stopped(n: Mention, context: Context) -> bool:
     stopping = context.draft.causing(HazardKind.STOPPING)
     return bool(n.entities) and all(e.parked or e in stopping for e in n.entities)
@@ -85,8 +81,10 @@ _FILTERS: dict[str, NounTest] = {
     "other_half": _other_half,
     "another": lambda n, _: any(e.is_vehicle and not e.ego for e in n.entities),
     "owned": lambda n, _: n.owner is not None,
-    "its": lambda n, _: n.possessed,
-    "egos": lambda n, _: n.has("possessive", "first_person") or _is_of_the_ego(n),
+    "its": lambda n, _: n.has("possessive"),
+    "egos": lambda n, _: (
+        n.has("possessive", "first_person") or (n.owner and any(e.ego for e in n.owner.entities))
+    ),
     "other": _said("other"),
     "strip": _head("stands_on"),
     "bay": _head("stands_on", BAYS),
@@ -207,7 +205,7 @@ def prep(words: list[str]) -> PrepTest:
     free = ANY in values
 
     def fits(p: Prep, context: Context) -> bool:
-        word, value = context.tokens[p.word.i].low, p.word.term.value
+        word, value = context.tokens[p.word.i].low, p.word.value
         named = free or value in values or word in spelled or (bool(other) and word not in other)
         named = named or (bool(apart) and value not in apart)
         for o, v in outer if not named else ():

@@ -31,16 +31,13 @@ from scegen.understanding.frames.loader import read
 from scegen.understanding.road.junctions import JunctionReading
 from scegen.understanding.semantics.conditions import condition
 from scegen.understanding.semantics.context import Clause, Context
-from scegen.understanding.semantics.effects import Effect, effects_of
+from scegen.understanding.semantics.effects import EFFECTS, Effect, effects_of
 from scegen.understanding.semantics.facts import Test
 
 _FILES = ("acts", "constructions", "dangers", "movements", "nouns", "omissions", "positions",
           "standing")  # fmt: skip
-_KEYS = frozenset({"if", "hazard", "by", "to", "maneuver", "light", "of", "place", "from", "lanes",
-                   "crossing", "drop", "unplace", "marks", "note", "then", "words", "reason",
-                   "also", "puts", "where",
-                   "as", "targets", "actors", "rewrite", "rules_out", "implies",
-                   "unsaid", "act", "always", "into"})  # fmt: skip
+_KEYS = frozenset(EFFECTS) | {"if", "by", "to", "of", "from", "then", "words", "reason", "also",
+                              "where", "targets", "actors", "unsaid", "always", "into"}  # fmt: skip
 
 Effects: TypeAlias = Callable[[dict[str, Any]], Iterable[Effect]]
 

@@ -11,14 +11,14 @@ from scegen.understanding.chunks import Mention, NounPhrase, Place, Prep
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.semantics.approaches import (
+from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.lanes import (
     BY_DIR,
     FACING,
     INVERSE,
     SIDES,
     place_approaches,
 )
-from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.words.quantities import ends_a_quantity
 
 
@@ -134,7 +134,7 @@ def _start_lane(entity: Entity, site: Site) -> None:
     named = _lane_of(place) if "adjacent" not in place.dirs and not after else None
     if named is None:
         return
-    site.context.lanes_implied(site.basis, "one of several lanes is named")
+    site.context.draft.implied.setdefault("lanes", site.basis.because(SEVERAL))
     if entity.start_lane is None and not entity.parked:
         entity.start_lane = named, site.basis
 
@@ -162,11 +162,6 @@ def _crossing_to(entity: Entity, site: Site) -> None:
     whence = {INVERSE[SIDES[d]] for d in site.place.dirs if d in SIDES}
     if len(whence) == 1:
         site.context.draft.place(entity, None, whence, site.basis)
-
-
-def _far_side(entity: Entity, site: Site) -> None:
-    """``from the other side``: which one that is, the whole text tells."""
-    entity.far_side = entity.far_side or site.basis
 
 
 def settle_far_sides(draft: Draft) -> None:
@@ -214,6 +209,7 @@ def _apart(entity: Entity, site: Site) -> None:
         site.context.draft.place(entity, other, elsewhere, site.basis)
 
 
+SEVERAL = "one of several lanes is named"
 SEEN: dict[str, Put] = {
     "seen": seen,
     "start_lane": _start_lane,
@@ -221,7 +217,8 @@ SEEN: dict[str, Put] = {
     "headed": _headed,
     "crossing_to": _crossing_to,
     "abreast": _abreast,
-    "far_side": _far_side,
+    # "from the other side": which one that is, the whole text tells
+    "far_side": lambda entity, site: setattr(entity, "far_side", entity.far_side or site.basis),
     "either_side": _either_side,
     "apart": _apart,
     "egos_lane": _in_the_egos_lane,
@@ -229,12 +226,8 @@ SEEN: dict[str, Put] = {
 """Name -> what a phrase of place says of where somebody is seen, or headed."""
 
 
-def _within_the_lane(clause: Clause, context: Context) -> bool:
-    """``offset 0.5 m to the left``, ``the lane change of the lead to the left``: no place."""
-    return any(_is_offset(p, clause, context) for p in clause.event.pps)
-
-
 def _is_offset(phrase: Prep, clause: Clause, context: Context) -> bool:
+    """``offset 0.5 m to the left``, ``the lane change of the lead to the left``: no place."""
     tokens, i, value, place = context.tokens, phrase.word.i, phrase.value, phrase.target
     if value == "to" and any(e.dirs & {"ahead", "behind"} for e in clause.actors):
         return True
@@ -249,7 +242,7 @@ def _is_offset(phrase: Prep, clause: Clause, context: Context) -> bool:
 
 
 FACTS = {
-    "within_the_lane": _within_the_lane,
+    "within_the_lane": lambda clause, c: any(_is_offset(p, clause, c) for p in clause.event.pps),
     "own_heading": lambda clause, _: any(m.cat == "compass" for m in clause.event.mods),
     "several": lambda clause, _: len(clause.actors) > 1,
 }

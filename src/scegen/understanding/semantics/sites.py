@@ -7,15 +7,15 @@ from scegen.scenario.vocabulary import Approach, CrossedArm, HazardKind, Maneuve
 from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Danger
 from scegen.understanding.entity import Basis, Entity
-from scegen.understanding.semantics.approaches import SIDES
 from scegen.understanding.semantics.context import Context
 from scegen.understanding.semantics.lanes import (
     EITHER,
     FROM_SIDE,
+    SIDES,
     counted_from,
     lane_number,
 )
-from scegen.understanding.semantics.seen import SEEN, Put, Site
+from scegen.understanding.semantics.seen import SEEN, SEVERAL, Put, Site
 
 _OVER_THE_ROAD = frozenset({HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_CYCLIST})
 
@@ -53,7 +53,7 @@ def _in_numbered(entity: Entity, site: Site) -> None:
     basis = Basis(site.basis.i, site.noun.j + (0 if side == EITHER else FROM_SIDE))
     name = f"{number}" if "number" in site.noun.head.data else f"{number} from {side}"
     entity.start_lane = name, basis
-    site.context.lanes_implied(basis, "one of several lanes is named")
+    site.context.draft.implied.setdefault("lanes", basis.because(SEVERAL))
 
 
 def _used_as(arm: CrossedArm) -> Put:

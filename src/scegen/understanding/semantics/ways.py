@@ -43,7 +43,7 @@ def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
         leads_there = prep.value in {"to", "into", "for"}
         if leads_there and isinstance(target, Place) and target.kind in _GOALS:
             across = _came_from(event) & {_OTHER.get(d, "") for d in target.dirs}
-            seen = target.possessed and (prep.on_mention is not None or _goes_on(event))
+            seen = target.has("possessive") and (prep.on_mention is not None or _goes_on(event))
             if target.owner is not None or seen or _our_side(target, event):
                 continue  # "to the right of the bus", "the lorry to its left": where it is
             for value in target.dirs:
@@ -130,18 +130,7 @@ FACTS: dict[str, Callable[[Clause, Context], bool]] = {
 
 
 Named: TypeAlias = Callable[[Clause, Context], dict[Maneuver, Basis]]
-_EXITS = {
-    "first": Maneuver.EXIT_1, "second": Maneuver.EXIT_2, "third": Maneuver.EXIT_3,
-    "fourth": Maneuver.EXIT_4, "fifth": Maneuver.EXIT_5, "sixth": Maneuver.EXIT_6,
-}  # fmt: skip
-
-
-def _ways(clause: Clause, context: Context) -> dict[Maneuver, Basis]:
-    return directions(clause.event, context.tokens)
-
-
-def _aside(clause: Clause, context: Context) -> dict[Maneuver, Basis]:
-    return {m: b for m, b in _ways(clause, context).items() if m is not Maneuver.STRAIGHT}
+_EXITS = ("first", "second", "third", "fourth", "fifth", "sixth")
 
 
 def _either(clause: Clause, _: Context) -> dict[Maneuver, Basis]:
@@ -151,14 +140,16 @@ def _either(clause: Clause, _: Context) -> dict[Maneuver, Basis]:
 
 
 def _exit(clause: Clause, _: Context) -> dict[Maneuver, Basis]:
-    place = next((p for p in clause.places() if p.kind == "exit"), None)
-    named = next((m.value for m in place.mods if m.value in _EXITS), None) if place else None
-    return {_EXITS[named]: Basis(place.i, place.j)} if place and named else {}
+    places = [p for p in clause.places() if p.kind == "exit"][:1]
+    named = [(p, _EXITS.index(m.value) + 1) for p in places for m in p.mods if m.value in _EXITS]
+    return {Maneuver(f"exit_{n}"): Basis(place.i, place.j) for place, n in named[:1]}
 
 
 VALUES: dict[str, Named] = {
-    "ways": _ways,
-    "aside": _aside,
+    "ways": lambda clause, c: directions(clause.event, c.tokens),
+    "aside": lambda clause, c: {
+        m: b for m, b in directions(clause.event, c.tokens).items() if m is not Maneuver.STRAIGHT
+    },
     "either": _either,
     "exit": _exit,
 }
@@ -168,21 +159,15 @@ def _upto(event: Event, noun: NounPhrase | None) -> Basis | None:
     return Basis(event.i, max(event.j, noun.j)) if noun is not None else None
 
 
-def _child(clause: Clause, _: Context) -> Basis | None:
-    event = clause.event
-    return Basis(event.i, event.children[0].j) if event.children else None
-
-
-def _onward(clause: Clause, _: Context) -> Basis | None:
-    term = next((d for d in clause.event.dirs if d.value == "straight"), None)
-    return Basis(term.i, term.j) if term is not None else None
-
-
 WORDS: dict[str, Callable[[Clause, Context], Basis | None]] = {
     "goal": lambda clause, _: _upto(clause.event, lanes.into_lane(clause.event)),
     "object": lambda clause, _: _upto(clause.event, clause.event.object),
-    "child": _child,
+    "child": lambda clause, _: next(
+        (Basis(clause.event.i, e.j) for e in clause.event.children), None
+    ),
     "next": lambda clause, _: Basis(clause.event.i, clause.event.j + 1),
-    "onward": _onward,
+    "onward": lambda clause, _: next(
+        (Basis(d.i, d.j) for d in clause.event.dirs if d.value == "straight"), None
+    ),
 }
 """Words that a row may rest on, by what they are in the clause."""

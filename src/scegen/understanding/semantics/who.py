@@ -14,8 +14,9 @@ from typing import TypeAlias
 from scegen.scenario.vocabulary import Approach, Control, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.entity import Entity
 from scegen.understanding.semantics import lanes, met
-from scegen.understanding.semantics.approaches import FACING, SIDES
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.lanes import FACING, SIDES
+from scegen.understanding.semantics.marks import NOTED
 from scegen.understanding.semantics.patterns import people, phrases
 
 Who: TypeAlias = Callable[[Clause, Context], list[Entity]]
@@ -33,12 +34,6 @@ def _leads(e: Entity, context: Context) -> bool:
     )
 
 
-def _may_cross(entity: Entity, _: Context) -> bool:
-    """Whoever is said to, or is on foot and not said to keep along the road."""
-    afoot = not entity.is_vehicle and entity.maneuvers != {Maneuver.STRAIGHT}
-    return afoot or Maneuver.CROSS in entity.maneuvers
-
-
 def _is(name: str) -> EntityTest:
     return lambda e, _: bool(getattr(e, name))
 
@@ -47,14 +42,16 @@ def _placed(place: Approach) -> EntityTest:
     return lambda e, c: c.placed(e, place)
 
 
-_IS = ("parked", "still", "pulls_out", "walks_up", "gives_way", "halts", "begins_over", "goes_back",
-       "nears", "gone_by", "ego", "circulates")  # fmt: skip
+_IS = ("parked", "still", "pulls_out", "nears", "ego")
 _PLACES = {"beside": Approach.ADJACENT} | {
     str(a): a for a in (Approach.AHEAD, Approach.BEHIND, Approach.LEFT, Approach.RIGHT)
 }
 
 ENTITY: dict[str, EntityTest] = {
-    "may_cross": _may_cross,
+    # whoever is said to, or is on foot and not said to keep along the road
+    "may_cross": lambda e, _: (
+        Maneuver.CROSS in e.maneuvers or not (e.is_vehicle or e.maneuvers == {Maneuver.STRAIGHT})
+    ),
     "stood": lambda e, _: e.pulls_out or e.was_parked is not None or e.stands is not None,
     "stood_free": lambda e, c: e.is_vehicle and e.stands is not None and c.junction.control is None,
     "braked": lambda e, c: (
@@ -66,10 +63,7 @@ ENTITY: dict[str, EntityTest] = {
     "moving": lambda e, _: e.moving_vehicle,
     **{name: _is(name) for name in _IS},
     "stands": lambda e, _: e.stands is not None,
-    "held": lambda e, _: e.held is not None,
-    "underway": lambda e, _: e.moves is not None,
     "goes_off": lambda e, _: e.sets_off >= 0,
-    "on_ramp": lambda e, _: e.on_ramp is not None,
     "bus": lambda e, _: e.kind is ParticipantKind.BUS,
     "cyclist": lambda e, _: e.kind is ParticipantKind.BICYCLE,
     "free": lambda e, _: not e.maneuvers,
@@ -111,7 +105,7 @@ def entity(word: str) -> EntityTest:
     """What a word asks of a participant.
 
     Args:
-        word: one of `ENTITY`, or ``does.MANEUVER|…`` (among others), ``only.MANEUVER``,
+        word: one of `ENTITY` or `NOTED`, ``does.MANEUVER|…`` (among others), ``only.MANEUVER``,
             ``causes.HAZARD``, ``suffers.HAZARD``.
     """
     name, _, detail = word.partition(".")
@@ -125,7 +119,7 @@ def entity(word: str) -> EntityTest:
         if name == "causes":
             return lambda e, c: e in c.draft.causing(*kinds)
         return lambda e, c: e in c.draft.suffering(*kinds)
-    return ENTITY[name]
+    return (lambda e, _: name in e.told) if name in NOTED else ENTITY[name]
 
 
 def _owners_of(kind: str) -> Who:
@@ -152,11 +146,6 @@ def _others(clause: Clause, context: Context) -> list[Entity]:
     return [e for e in context.draft.entities if e not in clause.actors]
 
 
-def _hit(clause: Clause, _: Context) -> list[Entity]:
-    owner = getattr(clause.event.object, "owner", None)
-    return [*clause.targets, *(owner.entities if owner is not None else [])]
-
-
 def _in_phrases(pattern: str) -> Who:
     find = phrases(pattern)
     return lambda clause, context: people(find(clause, context))
@@ -176,7 +165,7 @@ _BEHIND = _in_phrases("behind|between|by|due|ahead")
 NAMED: dict[str, Who] = {
     "actors": lambda clause, _: clause.actors,
     "drivers": lambda clause, _: clause.drivers,
-    "walkers": lambda clause, _: clause.walkers,
+    "walkers": lambda clause, _: [e for e in clause.actors if not e.is_vehicle],
     "targets": lambda clause, _: clause.targets,
     "everybody": lambda _, context: context.draft.entities,
     "others": _others,
@@ -184,7 +173,10 @@ NAMED: dict[str, Who] = {
     "owners": lambda clause, c: lanes.owners(lanes.into_lane(clause.event), clause, c),
     "path_owners": _owners_of("path"),
     "lane_owners": _owners_of("lane"),
-    "hit": _hit,
+    "hit": lambda clause, _: [
+        *clause.targets,
+        *getattr(getattr(clause.event.object, "owner", None), "entities", []),
+    ],
     # out of a side road: who overtakes comes out of its lane
     "pullers": lambda clause, _: [
         e for e in clause.drivers if Maneuver.OVERTAKE not in e.maneuvers

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from scegen.understanding.lexicon import Entry, word_list
-from scegen.understanding.words.nouns_ahead import noun_follows
 from scegen.understanding.words.numbers import POSITIONS
 from scegen.understanding.words.quantities import quantity_at
-from scegen.understanding.words.terms import Match, Term, begins, longest_match
+from scegen.understanding.words.terms import Match, Term, begins, longest_match, noun_follows
 from scegen.understanding.words.tokens import Token, low_at
 
 _NOMINAL_BEFORE = frozenset(
@@ -18,7 +17,7 @@ _NOUNS = ("place", "inert", "thing", "view", "env", "limit")
 _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
 
 
-def _attributive(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+def _attributive(match: Match, tokens: list[Token], previous: Term) -> bool:
     """Whether a participle stands before the noun that it describes."""
     following = longest_match(tokens, match.j)
     opens = longest_match(tokens, match.j, match.j + 1)
@@ -27,7 +26,7 @@ def _attributive(match: Match, tokens: list[Token], previous: Term | None) -> bo
     measured = following is not None and _with_a_number(match, following, tokens)
     if not ((measured or _may_describe(previous)) and noun_follows(tokens, match.j)):
         return False
-    adverb = previous is not None and previous.cat in {"conj", "manner", "sub"}
+    adverb = previous.cat in {"conj", "manner", "sub"}
     singular = following is not None and following.has("actor") and following.form == "base"
     return not (adverb and singular and match.form == "ed")  # "brakes and struck pedestrian"
 
@@ -72,22 +71,20 @@ def is_adverb(token: Token) -> bool:
     return token.low.endswith("ly") or token.low in word_list("adverbs")
 
 
-def _may_describe(previous: Term | None) -> bool:
+def _may_describe(previous: Term) -> bool:
     """Whether a participle here can describe the noun that follows.
 
     After a subject or a comma it is a verb: "a van overtaking cars", "…, overtaking cars".
     """
-    if previous is None:
-        return True
     return previous.cat not in _VERBAL_BEFORE and previous.value != ","
 
 
-def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
+def _verb_or_other(match: Match, tokens: list[Token], previous: Term) -> tuple[Entry, bool]:
     """Decides between a verb and the other meanings of its form; says if it is a premodifier."""
-    before = previous.cat if previous else ""
+    before = previous.cat
     verb = match.get("verb")
     participle = match.form in {"ing", "ed"}
-    infinitive = previous is not None and previous.value == "to" and match.form == "base"
+    infinitive = previous.value == "to" and match.form == "base"
     # "the car behind dodges to the left", "the car that we follow dodges a box"
     behind = before in {"locus", "quantity"} or begins(tokens, match.j, "det")
     told = match.form == "s" and behind
@@ -104,7 +101,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
         return match.get("dir" if attributive else "place" if named else "verb"), attributive
     if match.has("dir") and match.get("dir").value == "left":
         return _left_or_gone(match, tokens, previous), False
-    if match.form == "base" and previous is not None and (before, previous.value) == ("aux", "be"):
+    if match.form == "base" and (before, previous.value) == ("aux", "be"):
         return match.get(*_ADJECTIVE_CATS, "verb"), False
     if participle and attributive:
         return match.get(*_ADJECTIVE_CATS, "verb"), True
@@ -123,17 +120,15 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term | None) -> 
     return verb, False
 
 
-def _opens_noun(tokens: list[Token], previous: Term | None) -> bool:
+def _opens_noun(tokens: list[Token], previous: Term) -> bool:
     """``on one crossing``, ``at a busy crossing``: a noun that a preposition or verb governs."""
-    if previous is None or previous.cat not in _NOMINAL_BEFORE | {"unknown"}:
+    if previous.cat not in _NOMINAL_BEFORE | {"unknown"}:
         return False
     return begins(tokens, previous.i - 1, "prep" if previous.cat == "num" else "det")
 
 
-def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+def _must_be_verb(match: Match, tokens: list[Token], previous: Term) -> bool:
     """``one exits``, ``a car from the left speeds through``, ``all three brake``."""
-    if previous is None:
-        return False
     if previous.cat == "quant" and previous.value in {"all", "both"}:
         single = tokens[previous.i].low in word_list("each_one")  # "everybody brakes"
         return single or not (match.has(*_NOUNS) and match.form == "s")
@@ -141,7 +136,7 @@ def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> b
         return not noun_follows(tokens, match.j)
     if match.form != "s":
         return False
-    headed = tokens[previous.j - 1].low in {"way", "direction"}
+    headed = low_at(tokens, previous.j - 1) in {"way", "direction"}
     if previous.cat in {"dir", "compass"} and headed:
         return True  # "a car coming the other way brakes"
     one = previous.cat == "num" and previous.data.get("number") == 1
@@ -154,22 +149,18 @@ def _must_be_verb(match: Match, tokens: list[Token], previous: Term | None) -> b
     return one or sided
 
 
-def _noun_slot(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+def _noun_slot(match: Match, tokens: list[Token], previous: Term) -> bool:
     """Whether a noun may stand here: after an article, an adjective or a preposition."""
-    if previous is None:
-        return False
     preposed = previous.cat == "prep" and previous.value != "to"
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
     compound = previous.cat == "place" and match.form == "base" and match.has("inert", "place")
-    compound = compound or tokens[previous.i].low == "whose"
+    compound = compound or low_at(tokens, previous.i) == "whose"
     told = previous.cat == "quantity" and match.form == "s"  # "at t = 4 s brakes"
     return (previous.cat in _NOMINAL_BEFORE and not (adverb or told)) or preposed or compound
 
 
-def _verb_due(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+def _verb_due(match: Match, tokens: list[Token], previous: Term) -> bool:
     """Whether a verb is due: after its subject, "to" or a verb of its own ("get off and cross")."""
-    if previous is None:
-        return False
     controls = previous.cat == "verb" and "control" in previous.data and previous.value != "unknown"
     if controls or previous.cat in _VERBAL_BEFORE or previous.value == "to":
         return True
@@ -193,10 +184,8 @@ def _describes(match: Match, tokens: list[Token]) -> bool:
     return not direct and noun_follows(tokens, match.j)
 
 
-def _relates(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+def _relates(match: Match, tokens: list[Token], previous: Term) -> bool:
     """``a bus that turns``, ``a bus from the right that turns``."""
-    if previous is None:
-        return False
     if previous.cat in {"actor", "place", "thing", "inert"}:
         return True
     after = longest_match(tokens, match.j)
@@ -225,9 +214,9 @@ _PRIORITY = (
 )  # fmt: skip
 
 
-def _of_a_kind(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+def _of_a_kind(match: Match, tokens: list[Token], previous: Term) -> bool:
     """``the cut-in vehicle``, ``a lane-change car``: a doing that tells which one is meant."""
-    opens = previous is None or previous.cat in {"det", "punct", "sub"}
+    opens = previous.cat in {"", "det", "punct", "sub"}
     noun = longest_match(tokens, match.j)
     hyphen = match.j - 1 > 0 and tokens[match.j - 1].start == tokens[match.j - 2].end + 1
     owned = low_at(tokens, match.j) in word_list("whose")  # "after the cut-in our car brakes"
@@ -235,7 +224,7 @@ def _of_a_kind(match: Match, tokens: list[Token], previous: Term | None) -> bool
     return opens and hyphen and actor and not owned
 
 
-def _describes_a_noun(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+def _describes_a_noun(match: Match, tokens: list[Token], previous: Term) -> bool:
     """Whether the only meaning is a verb that stands before the noun it describes."""
     entry = match.entries[0]
     if entry.cat != "verb":
@@ -245,12 +234,12 @@ def _describes_a_noun(match: Match, tokens: list[Token], previous: Term | None) 
     return match.form in {"ing", "ed"} and _attributive(match, tokens, previous)
 
 
-def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[Entry, bool]:
+def choose(match: Match, tokens: list[Token], previous: Term) -> tuple[Entry, bool]:
     """The meaning that fits the words around, and whether it is a participle before a noun."""
     match = _not_inflected(match)
     if len(match.entries) == 1:
         return match.entries[0], _describes_a_noun(match, tokens, previous)
-    before = previous.cat if previous else ""
+    before = previous.cat
     if match.has("actor") and match.has("label") and _describes(match, tokens):
         return match.get("label"), False  # "the adversarial leading car"
     if match.has("noted") and match.has("actor") and before == "det":
@@ -276,21 +265,21 @@ def choose(match: Match, tokens: list[Token], previous: Term | None) -> tuple[En
     return match.get(*_PRIORITY), False
 
 
-def _left_or_gone(match: Match, tokens: list[Token], previous: Term | None) -> Entry:
+def _left_or_gone(match: Match, tokens: list[Token], previous: Term) -> Entry:
     """``left`` is nearly always the side; "V1 left the road" has a subject and an object."""
-    before = (previous.cat, previous.value) if previous is not None else ()
-    subject = not {"actor", "pronoun", "aux", ")"}.isdisjoint(before)  # "a cyclist (V2) left the …"
+    before = {previous.cat, previous.value}
+    subject = bool(before & {"actor", "pronoun", "aux", ")"})  # "a cyclist (V2) left the …"
     left = begins(tokens, match.j, "det", "possessive", "place", "manner")
     left = left or low_at(tokens, match.j) in word_list("leaving")
     return match.get("verb" if subject and left else "dir")
 
 
-def _names_a_measure(match: Match, tokens: list[Token], previous: Term | None) -> bool:
+def _names_a_measure(match: Match, tokens: list[Token], previous: Term) -> bool:
     """``speed 50 km/h``, ``speed difference``, ``limit 60 km/h``: what is measured, not a verb."""
     speed = match.has("inert") and match.get("verb").value == "speed"
     if match.form != "base" or not (speed or match.has("limit")):
         return False
-    if previous is None or previous.cat == "punct":
+    if previous.cat in {"", "punct"}:
         return True  # "speed ego = 80 km/h"
     if previous.cat in {"aux", "pronoun"} or previous.value == "to":
         return False

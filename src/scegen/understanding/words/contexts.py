@@ -9,7 +9,7 @@ from typing import Any
 from scegen.understanding.lexicon import load_contexts
 from scegen.understanding.words.paces import doing
 from scegen.understanding.words.quantities import quantity_at
-from scegen.understanding.words.terms import Term, longest_match, term_at
+from scegen.understanding.words.terms import NOTHING, Term, longest_match, term_at
 from scegen.understanding.words.tokens import Token
 
 _SOON = 6
@@ -41,9 +41,9 @@ class _Item:
         """Whether the item asks for something that is called so."""
         return self.negated == self.named.isdisjoint(names)
 
-    def fits_term(self, term: Term | None, tokens: list[Token]) -> bool:
-        """Whether a term, or None for the beginning of the text, is what the item asks for."""
-        if term is None:
+    def fits_term(self, term: Term, tokens: list[Token]) -> bool:
+        """Whether a term, or the beginning of the text, is what the item asks for."""
+        if term is NOTHING:
             return self.negated != self.edge
         first, measured = tokens[term.i], term.cat == "quantity" and term.value in self.measures
         spelled = first.low in self.words or tokens[term.j - 1].low in self.words

@@ -12,11 +12,7 @@ _ENDS = frozenset({"", ".", "!", "?"})
 
 
 def without_emptiness(tokens: list[Token]) -> list[Token]:
-    """The tokens without the room that a length is of, stress on who does it, and who asks for it.
-
-    Args:
-        tokens: of the text.
-    """
+    """The tokens without the room that a length is of, stress on who does it, who asks for it."""
     being = word_list("being")
     counts = {k: _room(tokens, k) for k, token in enumerate(tokens) if token.low == "of"}
     counts |= {

@@ -56,11 +56,7 @@ def _digits(text: str) -> float:
 
 
 def number_at(tokens: list[Token], i: int) -> Number | None:
-    """The number that begins at token ``i``, if one does.
-
-    Returns:
-        The number, or None.
-    """
+    """The number that begins at token ``i``, if one does."""
     token = tokens[i]
     if token.kind == "number":
         return Number(_digits(token.text), 1)

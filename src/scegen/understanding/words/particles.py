@@ -12,9 +12,9 @@ _GIVES = frozenset({"dir", "verb"})
 _OPENS_A_NOUN = ("det", "possessive", "actor", "compass", "place")
 
 
-def just_right(tokens: list[Token], i: int, previous: Term | None) -> bool:
+def just_right(tokens: list[Token], i: int, previous: Term) -> bool:
     """``right behind``, ``right past``, ``right in front of``: no way, except after a turn."""
-    if tokens[i].low != "right" or previous is None or previous.cat == "det":
+    if tokens[i].low != "right" or previous.cat in {"", "det"}:
         return False
     after = low_at(tokens, i + 1)
     located = begins(tokens, i + 1, "locus") or after == "across"
@@ -111,12 +111,7 @@ GENITIVES = frozenset({"'s", "'"})
 
 
 def around_somebody(tokens: list[Token], term: Term) -> tuple[Term, int, int] | None:
-    """The verb before a name, and from where to where the phrase goes on behind the name.
-
-    Args:
-        tokens: of the text.
-        term: the word as it reads alone.
-    """
+    """The verb before a name, and from where to where the phrase goes on behind the name."""
     if term.cat not in {"verb", "prep", "locus", "unknown"}:
         return None
     for end in range(term.i + 2, min(term.i + _FARTHEST, len(tokens))):

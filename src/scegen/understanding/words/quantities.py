@@ -78,11 +78,7 @@ def _unit_at(tokens: list[Token], i: int) -> tuple[str, str, int] | None:
 
 
 def quantity_at(tokens: list[Token], i: int) -> Quantity | None:
-    """The quantity whose first number stands at token ``i``.
-
-    Returns:
-        The quantity, or None where no number with a unit stands.
-    """
+    """The quantity whose first number stands at token ``i``."""
     if tokens[i].kind != "number" and tokens[i].low not in OPENS:
         return None
     spelled = tokens[i].kind != "number"

@@ -8,7 +8,14 @@ from functools import lru_cache
 from scegen.understanding.lexicon import Entry, word_list
 from scegen.understanding.words.choosing import choose, is_adverb
 from scegen.understanding.words.contexts import retag
-from scegen.understanding.words.labels import name_letters, named_at, street_name, with_articles
+from scegen.understanding.words.names import (
+    name_letters,
+    named_at,
+    street_name,
+    who_drive,
+    whose_doing,
+    with_articles,
+)
 from scegen.understanding.words.numbers import number_at
 from scegen.understanding.words.paces import bare_speed
 from scegen.understanding.words.particles import (
@@ -22,9 +29,8 @@ from scegen.understanding.words.particles import (
     then_a_noun,
 )
 from scegen.understanding.words.quantities import OPENS, quantity_at
-from scegen.understanding.words.terms import Match, Term, begins, longest_match
+from scegen.understanding.words.terms import NOTHING, Match, Term, begins, longest_match, term_at
 from scegen.understanding.words.tokens import Token, low_at
-from scegen.understanding.words.unknown_drivers import who_drive, whose_doing
 
 _NOUNS = ("actor", "place", "thing", "inert")
 _ON_FOOT_MPS = 3.0
@@ -33,6 +39,8 @@ _BEFORE_ADVERBS = frozenset(
     {"actor", "pronoun", "rel", "manner", "locus", "dir", "compass", "place"}
 )
 """Behind these stands no adjective."""
+_TURNING = frozenset({"verb", "prep", "det", "possessive"})
+"""Behind these "right when" says where one turns, and not when."""
 _STEERED = frozenset({"driven", "ridden"})
 
 
@@ -54,12 +62,12 @@ def _own_form(entry: Entry, match: Match, tokens: list[Token], i: int) -> str:
     return "base" if alone is None or alone.has("verb") else match.form
 
 
-def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str | None:
+def _verb_form(token: Token, previous: Term, tokens: list[Token]) -> str | None:
     """The form of a word that must be a verb by its place, although no rule knows it.
 
     "The ego commences a left turn" keeps its structure: who acts, and on what.
     """
-    if token.kind != "word" or previous is None or len(token.low) < 4:
+    if token.kind != "word" or previous is NOTHING or len(token.low) < 4:
         return None
     infinitive = previous.cat == "prep" and previous.value == "to"
     if infinitive or previous.cat in {"aux", "neg"}:
@@ -72,15 +80,15 @@ def _verb_form(token: Token, previous: Term | None, tokens: list[Token]) -> str 
     return None
 
 
-def _is_clause(match: Match, tokens: list[Token], i: int, previous: Term | None) -> bool:
+def _is_clause(match: Match, tokens: list[Token], i: int, previous: Term) -> bool:
     """``the bus stops``: a singular noun with its verb, although "bus stop" is a word."""
     changes = match.has("verb") and match.get("verb").value == "lane_change"
-    within = previous is not None and low_at(tokens, previous.i - 2) in {"in", "from"}
+    within = low_at(tokens, previous.i - 2) in {"in", "from"}
     several = changes and within  # "the ego and a van in the right lane change to the left one"
     inflected = match.form == "s" or several
     if match.j - i != 2 or not inflected or not (changes or match.only(*_NOUNS)):
         return False
-    before = previous.cat if previous is not None else "punct"
+    before = previous.cat or "punct"
     known = any(t.low == tokens[i].low for t in tokens[:i])  # "ego follows a bus; bus stops"
     singular = before in {"det", "dir", "label", "state"}
     singular = singular or (known and before in {"punct", "conj"})
@@ -160,7 +168,7 @@ def _crossed(tokens: list[Token], j: int) -> bool:
     return following.has("locus") and following.get("locus").value in {"ahead", "behind"}
 
 
-def _before(terms: list[Term], tokens: list[Token]) -> Term | None:
+def _before(terms: list[Term], tokens: list[Token]) -> Term:
     """The term before; a number that names a vehicle ("vehicle 1") counts as the vehicle.
 
     How something is done changes nothing of what is due after who does it: "which also brakes".
@@ -169,12 +177,7 @@ def _before(terms: list[Term], tokens: list[Token]) -> Term | None:
         terms = terms[:-1]
     if len(terms) > 1 and terms[-1].cat == "num" and terms[-2].cat == "actor":
         return terms[-1] if tokens[terms[-2].i].text.endswith("s") else terms[-2]
-    return terms[-1] if terms else None
-
-
-def _turning(previous: Term | None) -> bool:
-    """``turns right when …``."""
-    return previous is not None and previous.cat in {"verb", "prep", "det", "possessive"}
+    return term_at(terms, len(terms) - 1)
 
 
 def _needs_infinitive(tokens: list[Token], match: Match) -> bool:
@@ -183,7 +186,7 @@ def _needs_infinitive(tokens: list[Token], match: Match) -> bool:
     return leads and not begins(tokens, match.j, "verb", "aux", "neg", "manner")
 
 
-def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | None:
+def _match_at(tokens: list[Token], i: int, previous: Term) -> Match | None:
     """The phrase at a token, cut down where its words are no phrase here."""
     match = longest_match(tokens, i)
     if match is not None and match.j > i + 1:
@@ -193,12 +196,12 @@ def _match_at(tokens: list[Token], i: int, previous: Term | None) -> Match | Non
     return None if verbal or no_verb else match  # "boxed in"
 
 
-def _cut_down(match: Match, tokens: list[Token], i: int, previous: Term | None) -> Match | None:
+def _cut_down(match: Match, tokens: list[Token], i: int, previous: Term) -> Match | None:
     """A phrase of several words without those that belong to what follows."""
     token = tokens[i]
     if (
         (_undergone(tokens, i) and tokens[match.j - 1].low == "by")  # "driven by a student"
-        or (token.low == "right" and match.only("sub") and _turning(previous))
+        or (token.low == "right" and match.only("sub") and previous.cat in _TURNING)
         or _is_clause(match, tokens, i, previous)
     ):
         return longest_match(tokens, i, i + 1)
@@ -221,7 +224,7 @@ def _undergone(tokens: list[Token], i: int) -> bool:
     return got or tokens[i].low in _STEERED
 
 
-def _term_at(tokens: list[Token], i: int, previous: Term | None) -> Term:
+def _term_at(tokens: list[Token], i: int, previous: Term) -> Term:
     token = tokens[i]
     if token.kind == "punct":
         return Term("punct", token.low, i, i + 1)
@@ -239,7 +242,7 @@ def _only_a_word(word: str) -> bool:
     return not counts and not any(word in word_list(n) for n in ("ages", "sexes", "unit_words"))
 
 
-def _measured_or_named(tokens: list[Token], i: int, previous: Term | None) -> Term | None:
+def _measured_or_named(tokens: list[Token], i: int, previous: Term) -> Term | None:
     """What a number, or a word that may open one, says besides being in the lexicon."""
     token = tokens[i]
     named = named_at(tokens, i)
@@ -256,7 +259,7 @@ def _measured_or_named(tokens: list[Token], i: int, previous: Term | None) -> Te
     return None
 
 
-def _by_lexicon(tokens: list[Token], i: int, previous: Term | None) -> Term:
+def _by_lexicon(tokens: list[Token], i: int, previous: Term) -> Term:
     token = tokens[i]
     if street := street_name(tokens, i):
         return street

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 from scegen.understanding.lexicon import Entry, load, word_list
 from scegen.understanding.lexicon.loader import Node
 from scegen.understanding.words.lemmas import lemmas
+from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.tokens import Token
 
 
@@ -61,14 +62,18 @@ class Match:
         return self.entries[0]
 
 
-def term_at(terms: Sequence[Term], k: int) -> Term | None:
-    """The term with an index, if there is one."""
-    return terms[k] if 0 <= k < len(terms) else None
+NOTHING = Term("", "", -1, -1)
+"""What stands before the first term or chunk of a text, and behind the last."""
+
+
+def term_at(terms: Sequence[Term], k: int) -> Term:
+    """The term with an index; `NOTHING` before the text and behind it."""
+    return terms[k] if 0 <= k < len(terms) else NOTHING
 
 
 def cat_at(terms: Sequence[Term], k: int) -> str:
     """The class of the term with an index, empty where there is none."""
-    return terms[k].cat if 0 <= k < len(terms) else ""
+    return term_at(terms, k).cat
 
 
 def begins(tokens: list[Token], i: int, *cats: str) -> bool:
@@ -150,3 +155,31 @@ def longest_match(tokens: list[Token], i: int, end: int | None = None) -> Match 
     if best is not None and best_j > i + 1 and _names_more(tokens, best_j, best, end):
         best, best_j = shorter
     return Match(best.entries, best_j, best.form, best.cats) if best is not None else None
+
+
+def noun_follows(tokens: list[Token], j: int) -> bool:
+    """Whether a participant or thing is named at token ``j``, adjectives skipped."""
+    for step in range(3):
+        following = longest_match(tokens, j)
+        if following is None and step == 0 and j < len(tokens) and tokens[j].kind == "word":
+            j += 1  # "a slow milk truck"
+            continue
+        if following is None:
+            return False
+        if following.has("actor", "thing"):
+            return not _needs_no_article(following, tokens)
+        if not following.has("state", "label", "dir", "manner", "verb") or following.has("prep"):
+            return following.has("view")
+        if following.has("verb") and following.form not in {"ing", "ed"}:
+            return False
+        j = following.j
+    return False
+
+
+def _needs_no_article(noun: Match, tokens: list[Token]) -> bool:
+    """Pronouns and names ("me", "V1", "vehicle 2"): no participle describes them."""
+    if any("me" in e.data or "speaks" in e.data for e in noun.entries):
+        return True
+    after = tokens[noun.j] if noun.j < len(tokens) else None
+    numbered = after is not None and after.kind == "number" and quantity_at(tokens, noun.j) is None
+    return numbered and noun.form == "base"

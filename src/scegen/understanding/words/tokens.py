@@ -139,9 +139,8 @@ _MAX_WORD = 40
 """Longer runs of letters are no words; cutting them keeps look-ups cheap."""
 
 
-_KINDS = {"plain": "word", "clock": "word", "bound": "word", "short": "word", "at": "word",
-          "ordinal": "word", "unit": "word", "tolerance": "word", "arrow": "word",
-          "degrees": "word"}  # fmt: skip
+_KINDS = ("number", "label", "clitic", "neg", "punct")
+"""Groups that are a kind of their own; all others are words."""
 _SIGNS = {"tolerance": "±", "at": "at", "arrow": "to", "degrees": "degrees"}
 _BARE = frozenset({"plain", "punct"})
 
@@ -211,7 +210,7 @@ def tokenize(text: str) -> list[Token]:
 @lru_cache(maxsize=8192)
 def _read(written: str, group: str) -> tuple[str, str, tuple[tuple[str, str], ...], bool]:
     """A word as it is meant, its kind, its base forms, and whether it is misspelt."""
-    kind = _KINDS.get(group, group)
+    kind = group if group in _KINDS else "word"
     low = written.lower() if group in _BARE else _spelt(written, group)
     low = abbreviations().get(low, low)
     inflected = kind in {"word", "neg", "clitic"} and len(low) <= _MAX_WORD

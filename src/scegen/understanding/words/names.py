@@ -1,4 +1,4 @@
-"""Letters, digits and ordinals that name participants and roads, and people named by age or sex."""
+"""Who and what no noun of the lexicon names: by letters, numbers, ages, or by what it does."""
 
 from __future__ import annotations
 
@@ -6,10 +6,9 @@ import re
 from dataclasses import replace
 
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.words.nouns_ahead import noun_follows
 from scegen.understanding.words.numbers import POSITIONS
 from scegen.understanding.words.quantities import quantity_at
-from scegen.understanding.words.terms import Term, term_at
+from scegen.understanding.words.terms import NOTHING, Term, cat_at, noun_follows, term_at
 from scegen.understanding.words.tokens import Token, low_at
 
 _LABELLED = re.compile(r"^(?:v|veh|u|d|t|car|cv|obj|tgt|gvt)\d{1,2}$")
@@ -121,10 +120,10 @@ def _is_letter(term: Term, tokens: list[Token]) -> bool:
 def _stands_alone(terms: list[Term], k: int) -> bool:
     """Whether "A" is no article: a verb or the end of the phrase comes after it."""
     after = term_at(terms, k + 1)
-    if after is None or after.cat in _PHRASE_ENDS:
+    if after is NOTHING or after.cat in _PHRASE_ENDS:
         return True
     verb = term_at(terms, k + 2) if after.cat == "manner" else after
-    return verb is not None and (verb.cat, verb.form, verb.premod) == ("verb", "s", False)
+    return (verb.cat, verb.form, verb.premod) == ("verb", "s", False)
 
 
 def _belongs(terms: list[Term], k: int, tokens: list[Token]) -> bool:
@@ -155,8 +154,82 @@ def _names(terms: list[Term], k: int, tokens: list[Token]) -> bool:
     term = terms[k]
     if tokens[term.i].low not in POSITIONS or term.j - term.i != 1:
         return False
-    before, after = term_at(terms, k - 1), term_at(terms, k + 1)
-    if after is None or (before is not None and before.cat not in _OPENERS):
+    after = term_at(terms, k + 1)
+    if k and terms[k - 1].cat not in _OPENERS:
         return False
     acts = (after.cat == "verb" and after.form in _VERBAL) or after.cat in {"aux", "copy"}
     return acts or after.cat == "actor" or after.value in {"(", ","}
+
+
+_FIRST_WORDS = frozenset({"det", "num"})
+_GOVERNING = frozenset({"prep", "locus", "verb"})
+_SAID_OF_IT = frozenset({"label", "dir", "manner", "state"})
+_DOINGS = frozenset({"cut_in", "brake", "hard_brake", "u_turn", "lane_change", "swerve"})
+_OPENING = frozenset({"det", "manner", "dir", "inert"})
+_INSTEAD = "no known kind of road user; as it drives, it is read as a car"
+
+
+def who_drive(terms: list[Term], tokens: list[Token]) -> list[Term]:
+    """The terms with such nouns as cars, which is said.
+
+    A driving verb would else find its subject in the next noun, and turn who does it to whom.
+    """
+    unknown = [k for k, t in enumerate(terms) if t.cat == "unknown"]
+    nouns = [k for k in unknown if cat_at(terms, _opener(terms, k)) in _FIRST_WORDS]
+    named = [(k, tokens[terms[k].i]) for k in nouns]
+    drive = {n.low for k, n in named if _acts(terms, k, _number(n)) or _suffers(terms, k)}
+    found = list(terms)
+    for k in nouns:  # "follows the EVT until the EVT brakes"
+        t = terms[k]
+        if tokens[t.i].low in drive:
+            found[k] = Term("actor", "car", t.i, t.j, _number(tokens[t.i]), {"instead": _INSTEAD})
+    return found
+
+
+def _number(noun: Token) -> str:
+    return "s" if noun.low.endswith("s") else "base"
+
+
+def _opener(terms: list[Term], k: int) -> int:
+    """Where the words before a noun end that are said of it."""
+    k -= 1
+    while cat_at(terms, k) in _SAID_OF_IT:
+        k -= 1
+    return k
+
+
+def _acts(terms: list[Term], k: int, number: str) -> bool:
+    verb = term_at(terms, k + 1)
+    governed = cat_at(terms, _opener(terms, k) - 1) in _GOVERNING  # "a kid on a BMX shoots out"
+    if verb.cat != "verb" or governed:
+        return False
+    forms = {"base", "ed"} if number == "s" else {"s", "ed"}
+    return verb.form in forms and verb.value in word_list("driving")
+
+
+def _suffers(terms: list[Term], k: int) -> bool:
+    """``overtakes a Transit``, unless a compound goes on."""
+    opener = _opener(terms, k)
+    verb, after = term_at(terms, opener - 1), cat_at(terms, k + 1)
+    ends = after in {"", "punct", "conj", "prep", "locus", "sub", "verb", "rel"}
+    met = verb.cat == "verb" and verb.value in word_list("met_driving")
+    return ends and met and terms[opener].value == "indef"
+
+
+def whose_doing(terms: list[Term]) -> list[Term]:
+    """``A cut-in from the right``, ``hard braking ahead of the ego``: a car's, if none is named."""
+    if any(t.cat == "actor" and not t.data.get("ego") for t in terms):
+        return terms
+    found: list[Term] = []
+    opens = True
+    for k, term in enumerate(terms):
+        found.append(term)
+        after = term_at(terms, k + 1)
+        placed = after.cat == "locus" or after.value == "from"
+        placed = placed and term.form not in {"s", "ed"}
+        if opens and placed and term.cat == "verb" and term.value in _DOINGS:
+            at = term.j
+            found += [Term("prep", "of", at, at), Term("det", "indef", at, at)]
+            found.append(Term("actor", "car", at, at))
+        opens = term.cat == "punct" or (opens and term.cat in _OPENING)
+    return found
