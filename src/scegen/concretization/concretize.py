@@ -14,7 +14,7 @@ from scegen.concretization.assemble import assemble
 from scegen.concretization.clock import schedule, shortfall
 from scegen.concretization.deeds import do_acts, lead_in_missing_s, stand_in_line
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.encounters import conflict_meetings
+from scegen.concretization.encounters import conflict_meetings, join_traffic
 from scegen.concretization.fitting import conditioned, fit
 from scegen.concretization.leaving import leave_lanes, shape_maneuvers
 from scegen.concretization.lights import STOOD_S, WAITS_S, set_lights, stands_at_red
@@ -122,6 +122,7 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
     keep_aside(scene)
     for draft in scene.drives.values():
         draft.lay(scene.network)
+    join_traffic(scene)
     place_walkers(scene)
     meetings = [*reverse(scene), *leave_lanes(scene)]
     go_round_stationary(scene)

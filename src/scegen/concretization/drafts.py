@@ -37,10 +37,11 @@ _SHORT_M = 1.0
 class DriveDraft:
     """A vehicle's drive in the making.
 
-    ``cruise_mps`` is its speed away from turns; ``marks`` what dangers add to its program,
-    ``steps`` what the text says that it does; ``laid`` and ``course`` its way and its timeline from
-    the outer end of the entry arm; ``start_m`` where on that path it starts at time 0. It keeps
-    ``offset_m`` to its own left of the middle of its lane.
+    ``cruise_mps`` is its speed away from turns, ``joins_mps`` after them where that is faster;
+    ``marks`` what dangers add to its program, ``steps`` what the text says that it does; ``laid``
+    and ``course`` its way and its timeline from the outer end of the entry arm; ``start_m`` where
+    on that path it starts at time 0. It keeps ``offset_m`` to its own left of the middle of its
+    lane.
     ``grip_mps2`` is what the tyres hold on this road, ``halts_s_m`` where a thing in its way ends
     it, ``parked_s_m`` where it stood beside the road at first.
     ``reversal`` is a part driven backwards; one that backs out (of arm ``from_arm``, if not from
@@ -58,6 +59,7 @@ class DriveDraft:
     entry_lane: int = 1
     exit_lane: int = 1
     ring_lane: int | None = None
+    joins_mps: float = 0.0
     lateral_mps2: float = LATERAL_MPS2
     stops_at_line: bool = False
     lane_changes: list[LaneChange] = field(default_factory=list)
@@ -235,7 +237,8 @@ class DriveDraft:
         elif bends:
             marks.append(self._slow_before(bends[0][0], speed))
         if bends:
-            marks.append(SpeedChange(self.cruise_mps, faster, s_m=bends[-1][1], sort=Sort.FREES))
+            on_mps = max(self.cruise_mps, self.joins_mps)
+            marks.append(SpeedChange(on_mps, faster, s_m=bends[-1][1], sort=Sort.FREES))
         return marks
 
     def _slow_before(

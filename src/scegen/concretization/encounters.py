@@ -8,6 +8,9 @@ from __future__ import annotations
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import (
     CLOSE_FOLLOWING_S,
+    COMFORTABLE_ACCELERATION_MPS2,
+    COMFORTABLE_BRAKING_MPS2,
+    HOLDS_S,
     PASSING_LAG_S,
     TAILGATING_HEADWAY_S,
 )
@@ -23,9 +26,10 @@ from scegen.concretization.meetings import (
 from scegen.concretization.setup import Setup
 from scegen.measures.grounds import grounds
 from scegen.scenario.acts import GAINING, ActKind
+from scegen.scenario.bodies import BODIES
 from scegen.scenario.functional import Hazard
 from scegen.scenario.hazards import HAZARDS, Arrangement, Case, Motion
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.vocabulary import HazardKind, Maneuver
 
 _CLEAR_OF_WALKER_M, _CLEAR_BEHIND_M, _CLEAR_OF_OTHER_M = 1.3, 0.7, 3.0
 _BEFORE_S = 1.5
@@ -64,6 +68,25 @@ def ahead_on_arm(scene: Setup, draft: DriveDraft) -> list[DriveDraft]:
     same = (other for other in scene.drives.values() if same_arm(other, draft))
     ahead = (other for other in same if other.drive.rank < draft.drive.rank)
     return sorted(ahead, key=lambda other: other.drive.rank)
+
+
+def join_traffic(scene: Setup) -> None:
+    """Who turns into a road that another drives along at a speed that is said gets as fast."""
+    drives = [d for d in scene.drives.values() if d.drive.turn is Maneuver.STRAIGHT]
+    steady = [d for d in drives if scene.has_said_speed(d.id) and not scene.speed_acts(d.id)]
+    for draft in scene.drives.values():
+        for other in steady if not scene.has_said_speed(draft.id) else ():
+            if draft.drive.exit == other.drive.exit and not same_arm(draft, other):
+                draft.joins_mps = min(other.cruise_mps, BODIES[draft.kind].top_speed_mps)
+
+
+def _gains_speed_s(scene: Setup, draft: DriveDraft, other: DriveDraft, s_m: float) -> float:
+    """How much later another comes to who joins its road there, so as not to drive into it."""
+    slower = max(other.cruise_mps - draft.course.speed_at(s_m), 0.0)
+    joins = draft.drive.exit == other.drive.exit and draft.joins_mps >= other.cruise_mps
+    way_m = slower**2 / (2 * COMFORTABLE_ACCELERATION_MPS2) + draft.body.length_m
+    apart = joins and not scene.contact_wanted(draft.id, other.id)
+    return way_m / other.cruise_mps if apart else 0.0
 
 
 def event_s_m(scene: Setup, draft: DriveDraft, hazard: Hazard) -> float:
@@ -105,7 +128,8 @@ def happens_s_m(scene: Setup, draft: DriveDraft, kind: HazardKind, act: ActKind)
     Who causes no danger by it does so for those who endanger it, or whom it endangers.
     """
     hazards = scene.functional.hazards
-    about = [h.to for h in hazards if draft.id in h.by and h.kind is kind]
+    hit_by = _hit_by(scene) if act is ActKind.STOP and draft is scene.ego else ()
+    about = [hit_by] * bool(hit_by) + [h.to for h in hazards if draft.id in h.by and h.kind is kind]
     about += [h.by for h in hazards if draft.id in h.to]
     about += [h.to for h in hazards if draft.id in h.by]
     hazard = Hazard(kind=kind, by=(draft.id,), to=about[0] if about else ())
@@ -115,10 +139,18 @@ def happens_s_m(scene: Setup, draft: DriveDraft, kind: HazardKind, act: ActKind)
     walkers = stops_for_walkers(scene, draft)
     if walkers is not None:
         return walkers[0]
-    if draft is scene.ego:
+    if draft is scene.ego and not hit_by:
         # The ego brakes to avoid, the others brake in its way.
         place -= draft.body.length_m / 2 + _CLEAR_OF_OTHER_M
     return place
+
+
+def _hit_by(scene: Setup) -> tuple[str, ...]:
+    """Who drives into an ego that has stopped, where their ways meet."""
+    ego = scene.ego
+    stops = any(act.kind is ActKind.STOP for act in scene.speed_acts(ego.id))
+    hits = (d for d in scene.drives.values() if stops and scene.contact_wanted(ego.id, d.id))
+    return tuple(d.id for d in hits if d is not ego and drives_meet(ego, d) is not None)
 
 
 def conflict_meetings(scene: Setup, arranged: list[Meeting]) -> list[Meeting]:
@@ -140,7 +172,7 @@ def conflict_meetings(scene: Setup, arranged: list[Meeting]) -> list[Meeting]:
                 if same_arm(cause, sufferer) and drives_meet(cause, sufferer) is None:
                     found = [_close(scene, hazard, cause, sufferer, priority)]
                 else:
-                    found = _meeting(priority, cause, sufferer, 0.0, reason)
+                    found = _meeting(scene, priority, (cause, sufferer), 0.0, reason)
                 meetings += found
                 if found:
                     involved.add(key)
@@ -165,10 +197,12 @@ def _ordinary(scene: Setup, involved: set[frozenset[str]], named: set[str]) -> l
         bystander = bool(scene.functional.hazards) and draft.id not in named and not collide
         priority = DANGER if collide else BYSTANDER if bystander else ORDINARY
         lag = PASSING_LAG_S if bystander else 0.0
+        if draft.id in _hit_by(scene):  # it has come to rest by then
+            lag = scene.ego.cruise_mps / (2 * COMFORTABLE_BRAKING_MPS2) + HOLDS_S
         point = drives_meet(scene.ego, draft)
         if point is not None and point.opposed:
             continue  # an overtaker in the oncoming lane: nobody said that it is met there
-        found = _meeting(priority, scene.ego, draft, lag, "arrives together")
+        found = _meeting(scene, priority, (scene.ego, draft), lag, "arrives together")
         if found:
             meetings += found
             taken.add(queue)
@@ -176,12 +210,15 @@ def _ordinary(scene: Setup, involved: set[frozenset[str]], named: set[str]) -> l
 
 
 def _meeting(
-    priority: int, first: DriveDraft, second: DriveDraft, lag_s: float, reason: str
+    scene: Setup, priority: int, two: tuple[DriveDraft, DriveDraft], lag_s: float, reason: str
 ) -> list[Meeting]:
+    first, second = two
     point = drives_meet(first, second)
     if point is None:
         return []
     places = point.first_s_m, point.second_s_m
+    lag_s += _gains_speed_s(scene, first, second, places[0])
+    lag_s -= _gains_speed_s(scene, second, first, places[1])
     return [Meeting(priority, first.id, second.id, *places, lag_s, reason)]
 
 

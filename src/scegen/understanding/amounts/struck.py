@@ -7,13 +7,14 @@ from collections.abc import Iterable
 from scegen.scenario.model import Interval
 from scegen.scenario.outcome import BodySide, OutcomeKind
 from scegen.scenario.spacings import CONTACT, Measure
-from scegen.scenario.vocabulary import HazardKind, ParticipantKind, Side
+from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind, Side
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import NounPhrase, Place, Thing
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Amount, Apart, Ending
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause
+from scegen.understanding.semantics.lanes import SIDES
 from scegen.understanding.semantics.met import from_the_rear
 
 _WHOLE, _HALF, _LITTLE = 100.0, 50.0, 10.0
@@ -40,7 +41,7 @@ def _struck(ending: Ending, text: Telling) -> None:
     roads = [c for c in text.chunks if isinstance(c, Place) and c.kind in _ROADS]
     part_of = {id(p): _portion(p, text) for p in places}  # "the right corner of its front"
     portions = {id(portion) for p in places if (portion := part_of[id(p)]) is not p}
-    in_the_rear: Basis | None = None
+    driven_into: Basis | None = None
     for place in [p for p in places if p.kind in _BODY and id(p) not in portions]:
         if place.opening == "with" and place.i < (ending.basis.i or 0):
             continue  # "with his back to the ego he is hit"
@@ -56,7 +57,7 @@ def _struck(ending: Ending, text: Telling) -> None:
         whose = _owner(place, portion, ending, text)
         egos = whose is text.ego
         flank = part not in _ENDS
-        if part is None or whose is None or (flank and not (egos and _hit(place, ending, text))):
+        if part is None or whose is None or (flank and not _hit(place, whose, ending, text)):
             continue
         basis = Basis(place.i, place.j)
         half = portion or (place if corner else None)
@@ -69,12 +70,12 @@ def _struck(ending: Ending, text: Telling) -> None:
             ending.share = half.head.data.get("share") if half.head is not None else None
         if egos and ending.struck is None:
             ending.struck, ending.struck_basis = part, basis
-        elif not egos and part is BodySide.REAR:
-            in_the_rear = in_the_rear or basis
-    if ending.struck is None and in_the_rear is not None and text.ego in ending.between:
+        elif not egos and (part is BodySide.REAR or _head_on_into(place, ending, text)):
+            driven_into = driven_into or basis
+    if ending.struck is None and driven_into is not None and text.ego in ending.between:
         backs = text.ego in text.draft.causing(HazardKind.REVERSING)
         ending.struck = BodySide.REAR if backs else BodySide.FRONT
-        ending.struck_basis = in_the_rear
+        ending.struck_basis = driven_into
     _by_the_verb(ending, text)
     middle = text.find("at_its_middle", start, end)
     if middle is not None and text.ego in ending.between:  # "impact at mid-width"
@@ -86,6 +87,10 @@ def _by_the_verb(ending: Ending, text: Telling) -> None:
     done = [s for s in text.scenes if s.event.i == ending.basis.i]
     if ending.struck is None and any(_backs_into(s, text) for s in done):
         ending.struck, ending.struck_basis = BodySide.REAR, ending.basis
+    into = [s for s in done if s.targets and s.event.lemma in word_list("into_the_side")]
+    if into and ending.struck is None and text.ego in ending.between:
+        ending.struck_basis = ending.basis
+        ending.struck = BodySide.FRONT if text.ego in into[0].actors else _side_faced(ending, text)
     hit = next((s for s in done if from_the_rear(s.event, text.context)), None)
     if hit is None or ending.struck is not None or text.ego not in ending.between:
         return
@@ -96,6 +101,13 @@ def _by_the_verb(ending: Ending, text: Telling) -> None:
         ending.struck_basis = Basis(ending.basis.i, max(ends))
 
 
+def _side_faced(ending: Ending, text: Telling) -> BodySide | None:
+    """The ego's side from which the other comes, as far as the ego goes straight."""
+    turns = text.ego is None or text.ego.maneuvers - {Maneuver.STRAIGHT}
+    sides = (a for a in SIDES if ending.other and text.context.placed(ending.other, SIDES[a]))
+    return None if turns else next((_PARTS[side] for side in sides), None)
+
+
 def _backs_into(scene: Clause, text: Telling) -> bool:
     """``the ego backs up and bumps into it``: with its rear, unless along its side."""
     backs = text.ego in text.draft.causing(HazardKind.REVERSING) and text.ego in scene.actors
@@ -103,15 +115,22 @@ def _backs_into(scene: Clause, text: Telling) -> bool:
     return backs and (into or scene.event.lemma not in word_list("along_the_side"))
 
 
-def _hit(place: Place, ending: Ending, text: Telling) -> bool:
-    """Whether the ego's part is what is touched: "by its left side", "is hit in the side"."""
+def _head_on_into(place: Place, ending: Ending, text: Telling) -> bool:
+    """``the ego hits the side of a van``: with its front, unless along that side."""
+    done = [s for s in text.scenes if s.event.i == ending.basis.i and text.ego in s.actors]
+    across = any(s.event.lemma not in word_list("along_the_side") for s in done)
+    return across and bool(_SIDES & set(place.dirs))
+
+
+def _hit(place: Place, whose: Entity, ending: Ending, text: Telling) -> bool:
+    """Whether a part is what is touched: "by its left side"; the ego "is hit in the side"."""
     i, prep = ending.basis.i or 0, place.opening
     here = [s for s in text.scenes if s.event.i == i]
     is_hit = any(text.ego in s.targets and text.ego not in s.actors for s in here)
     told = place.owner is not None or place.has("possessive")
     direct = any(s.event.object is place or s.event.i == place.j for s in here)
     met = direct or (prep in {"in", "into", "against"} and told)
-    return met or prep in {"by", "with"} or (prep == "in" and is_hit)
+    return met or (whose.ego and (prep in {"by", "with"} or (prep == "in" and is_hit)))
 
 
 def _portion(place: Place, text: Telling) -> NounPhrase | None:

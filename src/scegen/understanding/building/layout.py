@@ -241,7 +241,8 @@ class Layout:
         """``goes straight on from a minor road``: it goes on beyond the main one."""
         for entity in self.draft.entities:
             minor, basis = entity.on_minor or (False, None)
-            if minor and basis is not None and entity.maneuvers == {Maneuver.STRAIGHT}:
+            straight = entity.maneuvers - {Maneuver.CROSS} == {Maneuver.STRAIGHT}
+            if minor and basis is not None and straight:
                 return basis.because("who comes from the side road goes straight across")
         return None
 

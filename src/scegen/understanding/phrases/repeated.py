@@ -31,7 +31,7 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     for k, chunk in enumerate(chunks):
         before = chunk_at(found, len(found) - 1)
         if isinstance(chunk, Term) and _there(chunk, before, tokens):
-            came = value_at(found, len(found) - 1) == "from"
+            came = value_at(found, len(found) - 1) in _OUT_OF
             place = last.get("anywhere" if came else "lane")
             if place is not None:
                 found += [] if came else [Term("prep", "in", chunk.i, chunk.j)]
@@ -152,10 +152,12 @@ def _is_it(chunk: Chunk) -> bool:
 
 
 def _there(word: Term, before: Chunk, tokens: list[Token]) -> bool:
-    """``the car travelling there``, ``but there a van brakes``: not "there" at the start."""
-    if tokens[word.i].low != "there" or word.j - word.i != 1:
+    """``travelling there``, ``but there it brakes``, ``from where``: not "there" at the start."""
+    low = tokens[word.i].low
+    if low not in {"there", "where"} or word.j - word.i != 1:
         return False
-    return isinstance(before, Event | Mention) or before.cat == "conj" or before.value == "from"
+    again = isinstance(before, Event | Mention) or before.cat == "conj"
+    return before.value in _OUT_OF or (again and low == "there")
 
 
 _LANES = frozenset({"lane", "ramp"})  # "the right lane ends"

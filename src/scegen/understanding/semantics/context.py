@@ -200,7 +200,7 @@ def stray_clauses(chunks: list[Chunk], clauses: list[Clause]) -> Iterator[Clause
     ``At a stop sign, the ego …`` says it of the noun that follows, ``its way round the van`` of
     whose way it is; of others nobody is named.
     """
-    taken = {id(p) for c in clauses if c.actors for p in c.places()}
+    taken = [p for c in clauses if c.actors for p in c.places()]
     for k, noun in enumerate(chunks):
         before, after = chunks[max(0, k - 3) : k], chunks[k + 1 : k + 3]
         if not isinstance(noun, NounPhrase) or noun.prep is None:
@@ -208,7 +208,9 @@ def stray_clauses(chunks: list[Chunk], clauses: list[Clause]) -> Iterator[Clause
         ways = [c for c in before[-3:] if isinstance(c, Place) and c.kind == "path"]
         if ways:
             who = ways[-1].owner
-        elif not isinstance(noun, Place) or id(noun) in taken:
+        elif not isinstance(noun, Place) or any(
+            p is noun or (p.i < noun.i < p.j and noun.opening == "in") for p in taken
+        ):
             continue
         else:
             opens = all(c.cat == "punct" for c in before[-2:-1])

@@ -155,7 +155,7 @@ def _hiders(clause: Clause, context: Context) -> list[Entity]:
     parts = [p.place for p in clause.event.pps if p.value in {"behind", "by"} and p.place]
     owners = [part.owner for part in parts if part.owner is not None]  # "by the front of a van"
     behind = [*_BEHIND(clause, context), *(e for owner in owners for e in owner.entities)]
-    own = [] if clause.event.passive else clause.actors
+    own = [] if clause.event.passive or clause.event.object is None else clause.actors
     return [e for e in own if e.is_vehicle and not e.ego] + [e for e in behind if not e.ego]
 
 
