@@ -23,6 +23,8 @@ if TYPE_CHECKING:  # what speaks to language models takes a tenth of a short run
     from scegen.llm import Session
 
 NO_SEARCH = "none"
+_PAST = frozenset({Maneuver.STRAIGHT, Maneuver.OVERTAKE})
+_PASSING = frozenset[HazardKind | ActKind]({HazardKind.OVERTAKING, ActKind.OVERTAKE})
 _TARGETS: dict[OutcomeKind | None, str] = {
     OutcomeKind.COLLISION: COLLISION,
     OutcomeKind.AVOIDED: AVOIDED,
@@ -59,7 +61,7 @@ def chosen_target(asked: str | None, functional: FunctionalScenario | None) -> s
     if asked is None:
         if functional is None:
             return None
-        unhurt = (_stands, _drives_past, _leaves_room, _draws_away, _stops_clear)
+        unhurt = (_stands, _drives_past, _passes_aside, _draws_away, _stops_clear)
         if any(told(functional) for told in unhurt):
             return AVOIDED
         outcome = functional.outcome.kind if functional.outcome else None
@@ -94,18 +96,22 @@ def _drives_past(functional: FunctionalScenario) -> bool:
     return aside
 
 
-def _leaves_room(functional: FunctionalScenario) -> bool:
-    """Whether all that is told is how much room one leaves beside those it passes."""
-    ego = functional.ego.id
+def _passes_aside(functional: FunctionalScenario) -> bool:
+    """Whether all that is told is how one passes another: in its own lane, with so much room."""
+    told = {*(h.kind for h in functional.hazards), *(a.kind for a in functional.acts)}
+    if functional.outcome or not told <= _PASSING:
+        return False
+    ego, everybody = functional.ego.id, functional.participants
+    aside = [p for p in everybody if Approach.ADJACENT in p.approaches]
+    if 0 < len(aside) == len(everybody) - 1 and all(p.maneuvers <= _PAST for p in everybody):
+        return functional.junction.kind is JunctionKind.STRAIGHT
     beside = [s for s in functional.spacings if s.measure is Measure.LATERAL_GAP_M]
     passed = {name for s in beside for name in (s.participant, s.reference)}
     return (
-        functional.outcome is None
-        and bool(beside)
-        and all(s.at == START for s in functional.spacings if s not in beside)
-        and passed == {p.id for p in functional.participants}
-        and all(h.kind is HazardKind.OVERTAKING and h.by == (ego,) for h in functional.hazards)
-        and all(a.kind is ActKind.OVERTAKE and a.participant == ego for a in functional.acts)
+        all(s.at == START for s in functional.spacings if s not in beside)
+        and passed == {p.id for p in everybody}
+        and all(h.by == (ego,) for h in functional.hazards)
+        and all(a.participant == ego for a in functional.acts)
     )
 
 

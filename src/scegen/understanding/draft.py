@@ -99,7 +99,7 @@ class Draft:
 
     def only(self, entity: Entity, approach: Approach) -> bool:
         """Whether it is said to be at one place and no other, as the ego sees it."""
-        found = (p for p in self.placements_of(entity) if p.reference is None)
+        found = (p for p in self.placements_of(entity) if not p.reference or p.reference.ego)
         return any(p.approaches == {approach} for p in found)
 
     def add(self, kind: ParticipantKind, basis: Basis) -> Entity:

@@ -135,15 +135,14 @@ def _sides(kind: ActKind, scene: Clause, text: Telling) -> list[tuple[str, Basis
     sides = [(d.value, Basis(d.i, d.j)) for d in event.dirs]
     lanes = [c for c in text.chunks if isinstance(c, Place) and c.kind == "lane"]
     # "merges out of the right lane", "pulls out of our lane"
-    out = {"from", "out"} | ({"of"} if text.tokens[event.j - 1].low == "out" else set())
+    out = {"from", "out"}
     sources = [p.target for p in event.pps if out & {p.value, p.outer, text.tokens[p.word.i].low}]
     # "moves one lane to the left", "leaves the lane to the left"
     within = [c for c in lanes if not any(c is m for m in (event.object, *sources))]
     # "in the left lane, a car wanders towards ours": where it is, but "on the left, it overtakes"
     starts = [p.target for p in event.pps if p.fronted and kind is not ActKind.OVERTAKE]
-    # "the ego in the left lane overtakes a van in the right lane": there is the van
-    own = any(e.start_lane for e in scene.actors)
-    theirs = {e.start_lane[1].i for e in scene.targets if own and e.start_lane}
+    # "overtakes a van in the right lane": there is the van
+    theirs = {e.start_lane[1].i for e in scene.targets if e.start_lane}
     goals = (g for g in event.nouns("into", "to", "for", "in") if isinstance(g, Place))
     for goal in (g for g in goals if all(g is not place for place in (*sources, *starts))):
         beside = any(c is not goal and c.i < goal.i <= c.j + 1 for c in within)
@@ -213,6 +212,8 @@ def _beside_whom(doing: Doing, other: Entity, phrase: Prep, context: Context) ->
     who, seen = (other, Approach.AHEAD) if doing.entity.ego else (doing.entity, Approach.BEHIND)
     told = [p for p in draft.placements if other in (p.entity, p.reference) or who is p.entity]
     said = [p.approaches for p in told if not behind or p.basis.i != phrase.word.i]
+    if doing.entity.ego and not behind:  # "in front of a van that comes up from behind"
+        said = [approaches for approaches in said if approaches != {Approach.BEHIND}]
     if not (doing.entity.ego or (behind and other.ego)) or any(a != _BESIDE for a in said):
         return
     basis = Basis(phrase.word.i, other.basis.j)

@@ -36,14 +36,19 @@ def made(figure: Figure, kind: ActKind, field: str) -> bool:
 
 
 def comes_to(figure: Figure) -> bool:
-    """``brakes and then holds 30 km/h``: what its own change of speed before that comes to."""
+    """``brakes and then holds 30 km/h``: what its own change of speed before that comes to.
+
+    So does "sets off and drives 30 km/h": it stood before.
+    """
     text = figure.text
     who = figure.actors or figure.subject
     before = [a for a in text.acts(0, figure.i) if a.entity in who and a.kind in _CHANGES]
     if len(who) != 1 or not before or before[-1].i < figure.start:
         return False
     last = before[-1]
-    if last.amounts.get("target_speed_mps") is not None:
+    off = last.kind is ActKind.SET_OFF and last.always and figure.subject == [last.entity]
+    held = off or figure.words_around.closes("holding_at")
+    if not held or last.amounts.get("target_speed_mps") is not None:
         return False
     last.amounts["target_speed_mps"] = figure.amount
     return True

@@ -35,7 +35,8 @@ _NOBODY = frozenset({"neither", "nobody"})
 
 def read_outcome(text: Telling) -> None:
     """The outcome, as verbs and nouns tell it."""
-    told = sorted(text.scenes, key=lambda s: not (s.actors or s.targets))  # "Rear-ended: a van …"
+    # first what tells of two: "Rear-ended: a van …", "cannot stop in time and hits the ego"
+    told = sorted(text.scenes, key=lambda s: (s.event.negated, not (s.actors or s.targets)))
     endings = [e for s in told if (e := _of_verb(s, text)) is not None]
     endings += [*of_nouns(text), *of_phrases(text)]
     for kind in (OutcomeKind.COLLISION, OutcomeKind.NEAR_MISS, OutcomeKind.AVOIDED):
@@ -45,11 +46,10 @@ def read_outcome(text: Telling) -> None:
         text.found.ending = ending = fully_told(ending, endings, text)
         _from_the_front(ending, text)
     span = text.find("full_overlap", 0, len(text.tokens))
-    if ending is not None and span is not None and ending.other is not None:
-        # the share that no number tells
+    other = ending.other if ending is not None else text.counterpart(text.ego, [])
+    if span is not None and other is not None:  # the share that no number tells
         amount = Amount(Interval(low=_WHOLE, high=_WHOLE), Basis(*span))
-        apart = Apart(Measure.OVERLAP_PERCENT, ending.other, text.ego, amount, CONTACT)
-        text.found.spacings.append(apart)
+        text.found.spacings.append(Apart(Measure.OVERLAP_PERCENT, other, text.ego, amount, CONTACT))
 
 
 def _from_the_front(ending: Ending, text: Telling) -> None:

@@ -184,7 +184,6 @@ def moment(figure: Figure, measure: Measure, one: Entity, other: Entity) -> Doin
         or [a for a in acts if a.kind in _INTO and told & a.places]
         or [a for a in acts if _in_trigger(a, figure)]
         or _revealed_by(figure, one, other)
-        or _of_its_doer(figure, acts)
         or [a for a in _opens_with(figure, acts) if _goes_in(a)]
     )
     if into:
@@ -213,14 +212,28 @@ def _until_it_brakes(text: Telling, one: Entity, other: Entity, acts: list[Doing
 
 
 def _opens_with(figure: Figure, acts: list[Doing]) -> list[Doing]:
-    """``at a TTC of 2 s the lead car brakes``, ``10 m ahead of the ego a van swerves``: then."""
+    """``at a TTC of 2 s the lead car brakes``, ``10 m ahead of the ego a van swerves``: then.
+
+    So it is in "a van, 40 m ahead and doing 100 km/h, moves over", "closes in and, its rear 40 m
+    ahead of the ego, begins to change lanes": as who is told of before begins to do so.
+    """
     text = figure.text
-    if any(figure.start <= m.i < figure.i for m in text.mentions):
+    commas = [k for k in range(figure.start, figure.i) if text.tokens[k].low == ","]
+    begin = max(commas, default=figure.start)
+    before = [m for m in text.mentions if begin <= m.i < figure.i and not m.possessor]
+    inside = begin > figure.start or bool(before)
+    if text.within(begin, figure.i) or (inside and figure.after is None):
         return []
     told = [c.event for c in text.within(figure.j, figure.end) if not c.event.embedded]
-    told = [e for e in told if e.finite or e.form != "ing"]  # "of a van standing there the ego …"
-    verbs = [event.i for event in told if event.name not in _BEGINNING]
-    return [a for a in acts if a.places & {*verbs[:1]}]
+    begun = [e.i for e in told if e.finite and e.name in _BEGINNING]
+    # "of a van standing there the ego …", but "a van starts moving over"
+    told = [e for e in told if e.finite or e.form != "ing" or (e.parent and e.parent.i in begun)]
+    first = next((e for e in told if e.name not in _BEGINNING), None)
+    if first is None or (inside and any(figure.j <= m.i for m in first.subject)):
+        return []
+    who = [e for m in before for e in m.entities][:1]
+    over = [a for a in acts if first.i in a.places and (who or [a.entity]) == [a.entity]]
+    return [a for a in over if not inside or a.kind is ActKind.CHANGE_LANE]
 
 
 def _as_it_begins(figure: Figure, acts: list[Doing]) -> list[Doing]:
@@ -231,16 +244,6 @@ def _as_it_begins(figure: Figure, acts: list[Doing]) -> list[Doing]:
     at, end = text.find("onsets", figure.start, figure.end) or (0, 0)
     named = text.within(end, end + 3) or text.find("manoeuvres", at, end + 3)
     return [a for a in acts if a.i < at] if named else []
-
-
-def _of_its_doer(figure: Figure, acts: list[Doing]) -> list[Doing]:
-    """``a van, 40 m ahead and doing 100 km/h, moves into our lane``: as it begins to do so."""
-    text = figure.text
-    if figure.after is None or text.within(figure.start, figure.i):
-        return []
-    named = text.spoken_of(figure.start, figure.i)
-    over = [a for a in acts if a.kind is ActKind.CHANGE_LANE and a.i > figure.j]
-    return [a for a in over if named[:1] == [a.entity] and a.i < figure.end][:1]
 
 
 def _in_trigger(doing: Doing, figure: Figure) -> bool:

@@ -178,7 +178,10 @@ def allow(entity: Entity, approaches: set[Approach], basis: Basis) -> None:
         entity.in_next_lane = entity.approaches, entity.approach_basis or entity.basis
         entity.approaches = set()  # "30 m ahead in the next lane": beside, so far ahead
     common = entity.approaches & approaches
-    entity.approaches = common or (entity.approaches | approaches)
+    either = entity.approaches | approaches
+    if Approach.OPPOSITE in either:
+        either -= _ALONG  # "of two oncoming cars the one behind"
+    entity.approaches = common or either
     if entity.approach_basis is None or common:
         entity.approach_basis = basis
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Event, Mention, Prep
+from scegen.understanding.chunks import Event, Mention, Place, Prep
 from scegen.understanding.clauses.further import located
 from scegen.understanding.clauses.located import is_it, opens_clause
 from scegen.understanding.clauses.state import State
@@ -192,7 +192,9 @@ def _head_of(prep: Prep, state: State) -> Mention | None:
     if verb is not None and any(p.names("lane") for p in verb.pps):
         return None  # "stands in the left lane 30 m ahead of the ego in the middle lane"
     if (head := _placed_by(inner, state)) is not None:
-        return head
+        side = state.at(2)  # "the ego is behind a van in the lane to its left": the van is there
+        aside = isinstance(side, Place) and side.has("possessive")
+        return None if head.is_ego and aside else head
     if verb is None or not ego or not verb.subject:
         return None
     met = verb.name == "approach" and verb.object is inner

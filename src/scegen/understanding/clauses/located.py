@@ -65,9 +65,9 @@ def side_of_place(noun: NounPhrase, state: State) -> bool:
     Returns:
         Whether it is the side of the place before it.
     """
-    place = state.at(-2)
     if not isinstance(noun, Place) or noun.kind != "side":
         return False
+    place = state.at(-2 if noun.owner is None else -3)  # "the lane to the ego's right"
     if isinstance(place, Thing) and set(noun.dirs) & {"left", "right"}:
         if place.prep is None or place.prep.cat != "locus":
             return place.has("quantity")  # "with 50 % overlap on the left side"
@@ -87,7 +87,7 @@ def side_of_place(noun: NounPhrase, state: State) -> bool:
 def _lane_beside(lane: Place, side: Place, state: State) -> bool:
     """``in the lane to the right of the bus``: no movement to the right."""
     along = lane.kind in {"lane", "bike_lane", "sidewalk", "shoulder"}
-    ways = _LEADING | ({"from"} if lane.kind == "lane" else set())
+    ways = _LEADING | ({"from", "of"} if lane.kind == "lane" else set())
     within = along and (lane.prep is None or lane.prep.value in ways)
     if not within or not set(side.dirs) & {"left", "right"}:
         return False

@@ -179,8 +179,8 @@ def _subjectless(event: Event, state: State) -> None:
 def _after_comma(event: Event, state: State) -> None:
     who = state.waiting
     beside = None if event.finite else _on_foot(event, state) or told_beside(state, "with", "by")
-    if event.form == "base" and (several := _several(state)) is not None:
-        event.subject = [several]
+    if (named := _past_an_aside(event, state)) is not None:
+        event.subject = [named]
     elif event.form == "s" and state.dependent and "aux:be" in state.between and state.events:
         event.subject = main_in_sentence(state)  # "brakes when the ego is 20 m away, swerves"
     elif who is not None and state.anchor in (who, *(p.target for p in who.pps)):
@@ -213,11 +213,19 @@ def _goes_on(event: Event, state: State) -> list[Mention]:
     return last.subject if alike or not outer else outer[-1].subject
 
 
-def _several(state: State) -> Mention | None:
-    """``two men, one doing 3 km/h and the other doing 6 km/h, cross``: the two, not the other."""
+def _past_an_aside(event: Event, state: State) -> Mention | None:
+    """``two men, one doing 3 km/h and the other doing 6 km/h, cross``: the two, not the other.
+
+    So does the van in "a van ahead of us, both doing 60 km/h, brakes".
+    """
     one = state.candidate
-    told = one is None or bool(one.heads) or one.pronoun is None or auxiliary(state)
-    return None if told else next((m for m in state.mentions if m.has("num") and m.plural), None)
+    if one is None or one.heads or one.pronoun is None:
+        return None
+    single = event.form == "s" and one.pronoun == "both"
+    if not single and (event.form != "base" or auxiliary(state)):
+        return None
+    fits = (m for m in state.mentions if m.heads and (m.plural and m.has("num")) != single)
+    return next(fits, None)
 
 
 def _on_foot(event: Event, state: State) -> Mention | None:

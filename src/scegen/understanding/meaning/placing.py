@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import combinations
+from itertools import combinations, product
 
 from scegen.scenario.vocabulary import Approach, ParticipantKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
@@ -116,9 +116,19 @@ def line_up(chunks: list[Chunk], events: list[Event], draft: Draft) -> None:
         if isinstance(chunk, Mention):
             members = [e for m in chain(chunk) for e in m.entities]
             _behind_each_other(chunk.mods, members, draft)
+            _at_its_end(chunk, draft)
     for event in events:
         _behind_each_other(event.mods, event.doers, draft)
     _queue_of_the_numbered(chunks, events, draft)
+
+
+def _at_its_end(mention: Mention, draft: Draft) -> None:
+    """``the rear one`` of two: behind the other."""
+    for which in [m for m in mention.mods if "in_file" in m.data]:
+        place = {Approach.AHEAD if which.value == "first" else Approach.BEHIND}
+        for entity, other in product(mention.entities, draft.entities):
+            if other.basis == entity.basis:
+                draft.place(entity, draft.ego and other, place, Basis(which.i, which.j))
 
 
 def _queue_of_the_numbered(chunks: list[Chunk], events: list[Event], draft: Draft) -> None:

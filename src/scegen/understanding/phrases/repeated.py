@@ -195,7 +195,7 @@ def lanes_meant(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     short: Place | None = None
     chunks = _within_a_lane(chunks, tokens)
     for k, chunk in enumerate(chunks):
-        lane = _lane(chunk, k, chunks, named)
+        lane = _lane(chunk, k, chunks, named, tokens)
         if lane is not None and found[-1:] and found[-1].i == lane.i:
             found.pop()  # "the left" of "the left one"
         elif isinstance(chunk, Place) and chunk.kind == "lane" and found[-2:-1] == [short]:
@@ -236,10 +236,13 @@ def _is_within(side: Place, lane: Place, k: int, chunks: list[Chunk]) -> bool:
     return sided and not several and not more and side.i > 0
 
 
-def _lane(chunk: Chunk, k: int, chunks: list[Chunk], named: Place | None) -> Place | None:
-    if not isinstance(chunk, Place | Mention):
-        return None
+def _lane(
+    chunk: Chunk, k: int, chunks: list[Chunk], named: Place | None, tokens: list[Token]
+) -> Place | None:
     before, word, whole = chunk_at(chunks, k - 1), value_at(chunks, k - 1), _whole(k, chunks)
+    if isinstance(chunk, Term) and chunk.cat == "det" and cat_at(chunks, k + 1) == "prep":
+        head = Term("place", "lane", chunk.i, chunk.j)  # "into that of the ego"
+        return Place(chunk.i, chunk.j, [], head, kind="lane") if named is not None else None
     if isinstance(chunk, Place) and chunk.kind in {"side", "middle"}:
         bare = chunk.head is None and _sided(chunk)
         named_side = chunk.has("det") and (bare or (chunk.kind == "middle" and whole is None))
@@ -248,6 +251,8 @@ def _lane(chunk: Chunk, k: int, chunks: list[Chunk], named: Place | None) -> Pla
     if not isinstance(chunk, Mention):
         return None
     used = isinstance(before, Event) and before.name == "use"
+    over = isinstance(before, Event) and tokens[before.j - 1].low == "into"
+    over = over and tokens[chunk.i - 2].base in word_list("shifting")  # "a van moves into it, too"
     if chunk.pronoun == "one":
         side = before if isinstance(before, Place) and before.kind in {"side", "middle"} else chunk
         middle = isinstance(side, Place) and side.kind == "middle"  # "of three, in the middle one"
@@ -256,8 +261,8 @@ def _lane(chunk: Chunk, k: int, chunks: list[Chunk], named: Place | None) -> Pla
             return _as_lane(chunk, chunk)  # "leaves its lane and uses the oncoming one"
         alone = middle or side.head in (None, chunk.head)
         return _as_lane(side, chunk) if meant and alone else None
-    if chunk.pronoun == "it" and named is not None and (used or word == "in"):
-        return replace(_as_lane(chunk, chunk), mods=named.ways)
+    if chunk.pronoun == "it" and named is not None and (used or over or word == "in"):
+        return replace(_as_lane(chunk, chunk), mods=named.mods)
     return None
 
 

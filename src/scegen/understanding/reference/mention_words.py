@@ -172,8 +172,10 @@ def refers_to_nobody(mention: Mention) -> bool:
         first in (["indef"], ["other"], ["another"]) or (not first and several)
     ):
         return True  # "without any target", "without other cars", "free of traffic"
+    jam = mention.head is not None and "stands" in mention.head.data
+    scene = {("label", "quality"), *([("det", "indef")] if jam else [])}  # "in a jam"
     mass = mention.is_mass and all(
-        m.cat in _DENSITY or (m.cat, m.value) == ("label", "quality") for m in mention.mods
+        m.cat in _DENSITY or (m.cat, m.value) in scene for m in mention.mods
     )
     if mass and prep in {"in", "of", "for"}:
         return True

@@ -183,6 +183,7 @@ class Roster:
             Whom it means; None if it says nothing of an order.
         """
         which = next((m.value for m in mention.mods if m.value in POSITIONS), None)
+        file = any("in_file" in m.data for m in mention.mods)
         leads = mention.head is not None and self.tokens[mention.head.i].low == "leader"
         if leads and self.groups and all(e.is_vehicle for e in self.groups[-1].members):
             which = which or "first"  # "three cars in a platoon; the leader brakes"
@@ -192,7 +193,8 @@ class Roster:
             return None
         for group in reversed(self.groups):
             alike = [e for e in group.members if leads or self.compatible(e, reading)]
-            if len(alike) > abs(POSITIONS[which]):
+            alike = [e for e in alike if not (file and e.ego)]
+            if -len(alike) <= POSITIONS[which] < len(alike):
                 return claimed([alike[POSITIONS[which]]])
         alike = [e for e in self.entities if self.compatible(e, reading) and not e.ego]
         return claimed(alike[POSITIONS[which] :][:1]) if alike else None

@@ -93,7 +93,7 @@ _FILTERS: dict[str, NounTest] = {
     "of_road": _of_road,
     "brink": lambda n, c: c.tokens[n.j - 1].low == "edge",
     "kerb": lambda n, c: c.draft.kerb in n.dirs,
-    "both": lambda n, c: any(m.cat == "quant" for m in n.mods) or c.tokens[n.i - 1].low == "either",
+    "both": lambda n, _: n.has("quant"),
     "compass": lambda n, _: n.mod("compass") is not None,
     "different": _said("different", "another"),
     "edge": lambda n, c: n.kind == "sidewalk" or (n.kind == "side" and _of_road(n, c)),

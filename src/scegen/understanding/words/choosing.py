@@ -189,11 +189,13 @@ def _relates(match: Match, tokens: list[Token], previous: Term) -> bool:
     if previous.cat in {"actor", "place", "thing", "inert"}:
         return True
     after = longest_match(tokens, match.j)
-    verbal = after is not None and (after.has("aux") or after.form in {"s", "ed"})
+    # "a car ahead that stops", "ahead of it that stops"
+    told = {"s"} if previous.cat in {"locus", "pronoun"} else {"s", "ed"}
+    verbal = after is not None and (after.has("aux") or after.form in told)
     if previous.value == ")":  # "a van (40 km/h) that changes lanes"
         return verbal or not begins(tokens, match.j, "actor", "place", "thing", "inert", "num")
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])  # "there that blocks"
-    sided = adverb or previous.cat in {"dir", "compass", "quantity", "locus"}
+    sided = adverb or previous.cat in {"dir", "compass", "quantity", "locus", "pronoun"}
     if previous.value == ",":  # "a van, also at 80 km/h, that brakes"
         sided = after is not None and after.has("verb")
     return sided and verbal and not begins(tokens, match.j, "actor", "place")

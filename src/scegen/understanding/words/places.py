@@ -52,12 +52,17 @@ def _bare(terms: list[Term], k: int, also: set[str]) -> bool:
 
 _LINE = frozenset({"ahead", "behind"})
 _NEXT_BUT_ONE, _MOST, _RANKED = 2, 5, 3
+_ENDS = {"front": "first", "ahead": "first", "rear": "last", "behind": "last"}
 
 
 def count_places(terms: list[Term], tokens: list[Token]) -> list[Term]:
     """Who is two ahead of the ego is ahead of the one ahead of it, which is told with it."""
     found: list[Term] = []
     for k, term in enumerate(terms):
+        if term.cat == "dir" and term.value in _ENDS and _one_of_several(terms, k):
+            end = _ENDS[term.value]
+            found.append(replace(term, cat="label", value=end, data={"in_file": True}))
+            continue
         line = term.cat == "locus" and term.value in _LINE
         before = term_at(terms, k - 1)
         if line and k and (places := _places(terms, k, tokens)) > 1:
@@ -70,6 +75,16 @@ def count_places(terms: list[Term], tokens: list[Token]) -> list[Term]:
             found += between * (places - 1)
         found.append(term)
     return found
+
+
+def _one_of_several(terms: list[Term], k: int) -> bool:
+    """``two cars come towards us; the rear one …``: at that end of their file."""
+    noun = term_at(terms, k + 1)
+    several = [t.value for t in terms[:k] if t.cat == "actor" and t.form == "s"]
+    if noun is None or cat_at(terms, k - 1) != "det" or not several:
+        return False
+    one = noun.cat == "num" and noun.data["number"] == 1
+    return one or (noun.cat == "actor" and noun.form != "s" and noun.value == several[-1])
 
 
 def _places(terms: list[Term], k: int, tokens: list[Token]) -> int:

@@ -102,6 +102,8 @@ def quantity_at(tokens: list[Token], i: int) -> Quantity | None:
         # "for 1.5 s and 4 s later": two times
         joined = _RANGE_WORDS - {"and"} if dimension == "time" and not opened else _RANGE_WORDS
         second = _second_number(tokens, end + 1) if low_at(tokens, end) in joined else None
+        if (low_at(tokens, i - 1), low_at(tokens, end)) == ("from", "to"):
+            second = second or _second_number(tokens, end + 1, (dimension, name))
         if second is not None and second[1] == dimension:
             return _build(tokens, i, second[2], [*values, second[0]], dimension)
         return None if opened else _build(tokens, i, end, values, dimension)
@@ -165,14 +167,16 @@ def _around(
     return _build(tokens, i, spread[1], [value - spread[0], value + spread[0]], dimension)
 
 
-def _second_number(tokens: list[Token], j: int) -> tuple[float, str, int, str] | None:
-    """Value, dimension, end and unit of the upper bound of a range."""
+def _second_number(
+    tokens: list[Token], j: int, alike: tuple[str, str] | None = None
+) -> tuple[float, str, int, str] | None:
+    """Value, dimension, end and unit of the upper bound of a range; without one, ``alike``."""
     if j >= len(tokens):
         return None
     number = number_at(tokens, j)
     if number is None:
         return None
-    unit = _unit_at(tokens, j + number.length)
+    unit = _unit_at(tokens, j + number.length) or (alike and (*alike, 0))
     if unit is None:
         return None
     dimension, name, length = unit
