@@ -122,8 +122,8 @@ def _clause(event: Event, state: State) -> None:
         "rel" in between
         and state.mentions
         and event.embedded
-        and not _passed_by_another(event, state)
-    ):
+        and not ("conj" in between and no_jam(event, [], state))
+    ):  # "comes up to a van that is slow and overtakes it": the one that comes up does
         which = antecedent(state)
         singular = event.form == "s" and (which.head is None or which.head.form != "s")
         event.subject = [which] if singular else chain(which)
@@ -139,11 +139,6 @@ def _clause(event: Event, state: State) -> None:
         _after_event(event, anchor, state)
     else:
         _subjectless(event, state)
-
-
-def _passed_by_another(event: Event, state: State) -> bool:
-    """``comes up to a van that is slow and overtakes it``: the one that comes up does."""
-    return "conj" in state.between and no_jam(event, [], state)
 
 
 def _after_event(event: Event, anchor: Event, state: State) -> None:
