@@ -69,7 +69,9 @@ def coordinate(event: Event, state: State) -> None:
         event.subject = chain(who)  # "… while the ego has green and goes straight"
         return
     goes_on = wanted == "ing" or (wanted == "finite" and not state.dependent)
-    if goes_on and who is not None and who is state.being:
+    # "the ego goes straight, a van oncoming and turning left"
+    coming = wanted == "ing" and who is not None and bool(who.dirs) and who in state.mentions[-1:]
+    if goes_on and who is not None and (who is state.being or coming):
         event.subject = chain(who)  # "pulls out when the ego is 20 m away and doing 30 km/h"
         return
     beside = told_beside(state, "with") if wanted == "ing" else None
