@@ -13,7 +13,8 @@ _SIDES = frozenset({Approach.LEFT, Approach.RIGHT})
 _SIDEWAYS = _ALONG | _SIDES
 """A single vehicle "from the left" is seen by somebody; of two, each may see the other."""
 _ENDANGERS = frozenset({HazardKind.CUT_IN, HazardKind.HARD_BRAKING, HazardKind.STOPPING,
-                        HazardKind.ONCOMING_LANE, HazardKind.REVERSING})  # fmt: skip
+                        HazardKind.ONCOMING_LANE, HazardKind.REVERSING,
+                        HazardKind.OVERTAKING})  # fmt: skip
 """What one vehicle does to another, which a text need not name."""
 _TO_ITSELF = frozenset({HazardKind.LOSS_OF_CONTROL, HazardKind.SWERVING, HazardKind.OBSTACLE})
 _DRIVES = "an ego that stays parked beside the road is not built; it drives from the start"
