@@ -12,6 +12,7 @@ _NOMINAL_BEFORE = frozenset(
     {"det", "possessive", "dir", "manner", "num", "quant", "label", "noted", "shape", "quantity"}
 )
 _VERBAL_BEFORE = frozenset({"actor", "pronoun", "aux", "rel", "neg"})
+_RESTS = frozenset({"stop", "park"})
 _DOINGS = frozenset({"cut_in", "lane_change", "merge", "overtake", "u_turn"})
 _NOUNS = ("place", "inert", "thing", "view", "env", "limit")
 _ADJECTIVE_CATS = ("dir", "state", "manner", "label", "control")
@@ -24,7 +25,9 @@ def _attributive(match: Match, tokens: list[Token], previous: Term) -> bool:
     if opens is not None and opens.has("possessive", "det"):
         return False  # "struck my vehicle"
     measured = following is not None and _with_a_number(match, following, tokens)
-    if not ((measured or _may_describe(previous)) and noun_follows(tokens, match.j)):
+    # "the van cuts out, stopped car ahead": nobody stops a car
+    rests = previous.value == "," and match.form == "ed" and match.get("verb").value in _RESTS
+    if not ((measured or rests or _may_describe(previous)) and noun_follows(tokens, match.j)):
         return False
     adverb = previous.cat in {"conj", "manner", "sub"}
     singular = following is not None and following.has("actor") and following.form == "base"
