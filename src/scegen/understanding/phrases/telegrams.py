@@ -7,6 +7,7 @@ colon after a heading that says who or where, and who does what a noun names.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.phrases.doings_named import spell_out_doings, teller_at
@@ -85,23 +86,30 @@ def _from_titles(chunks: list[Chunk]) -> list[Chunk]:
 
 
 def _in_lanes(chunks: list[Chunk]) -> list[Chunk]:
-    """``ego 100 km/h, right lane``: in that lane."""
+    """``ego 100 km/h, right lane``, ``a van 80 km/h right lane``: in that lane."""
     found: list[Chunk] = []
     for k, chunk in enumerate(chunks):
-        if isinstance(chunk, Place) and chunk.kind == "lane" and _bare_lane(chunk, chunks, k):
-            found.append(Term("prep", "in", chunk.i, chunk.i))
-        found.append(chunk)
+        if not isinstance(chunk, Place) or chunk.kind != "lane" or not _bare_lane(chunk, chunks, k):
+            found.append(chunk)
+            continue
+        told = [m for m in chunk.mods if m.cat == "quantity"]
+        mods = chunk.mods[len(told) :]
+        begins = mods[0].i if mods else chunk.i
+        preposed = Term("prep", "in", begins, begins)
+        found += [*told, preposed, replace(chunk, i=begins, mods=mods)]
     return found
 
 
 def _bare_lane(lane: Place, chunks: list[Chunk], k: int) -> bool:
-    bare = value_at(chunks, k - 1) in {",", ":"}
+    before = chunk_at(chunks, k - 1)
+    whose = isinstance(before, Mention) and not before.possessor
+    bare = whose or value_at(chunks, k - 1) in {",", ":"}
     placed = cat_at(chunks, k + 1) in {"prep", "locus"}  # "lane right of it"
     last = k + 1 == len(chunks) or cat_at(chunks, k + 1) in {"punct", "conj"}
-    plain = all(m.cat == "dir" for m in lane.mods)
+    plain = all(m.cat in {"dir", "quantity"} for m in lane.mods)
     which = placed or bool({"left", "right"} & set(lane.dirs))
     which = which or (lane.head is not None and lane.head.j > lane.head.i + 1)  # "middle lane"
-    return plain and which and (last or placed) and bare
+    return plain and which and (last or placed or whose) and bare
 
 
 def _titled(title: list[Chunk]) -> Place | None:
