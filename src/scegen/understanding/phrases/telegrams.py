@@ -37,7 +37,7 @@ def spell_out(chunks: list[Chunk]) -> list[Chunk]:
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Place) and chunk.kind == "exit" and _clause_opener(chunks, k):
             found.append(Event("leave", chunk.i, chunk.i, "s"))  # "ego 3rd exit"
-        found.append(_going(chunks, k) or chunk)
+        found += _going(chunks, k) or [chunk]
     return found
 
 
@@ -179,16 +179,18 @@ def _named_doing(event: Event, chunks: list[Chunk], k: int) -> bool:
     return bare and (placed or listed) and ends(chunk_at(chunks, k - 1))
 
 
-def _going(chunks: list[Chunk], k: int) -> Event | None:
-    """``ego straight``, ``ego in reverse``: goes straight, backwards."""
+def _going(chunks: list[Chunk], k: int) -> list[Chunk]:
+    """``ego straight``, ``ego in reverse``: goes there, backwards; ``parked van left``: stands."""
     way = chunks[k]
     if not isinstance(way, Term) or (way.cat, way.value) not in _WAYS:
-        return None
-    following = chunk_at(chunks, k + 1)
+        return []
+    following, who = chunk_at(chunks, k + 1), _clause_opener(chunks, k)
     free = ends(following) or value_at(chunks, k + 1) == "," or cat_at(chunks, k + 1) in _AFTER
-    if not free or value_at(chunks, k + 1) == "of" or _clause_opener(chunks, k) is None:
-        return None
-    return Event("move", way.i, way.j, "s", mods=[way], data={"drives": True})
+    if not free or value_at(chunks, k + 1) == "of" or who is None:
+        return []
+    if any(m.cat == "state" for m in who.mods):
+        return [Term("prep", "in", way.i, way.i), Place(way.i, way.j, [way], None, kind="side")]
+    return [Event("move", way.i, way.j, "s", mods=[way], data={"drives": True})]
 
 
 def _clause_opener(chunks: list[Chunk], k: int) -> Mention | None:
