@@ -27,6 +27,7 @@ from scegen.understanding.words.tokens import Token
 _MODIFIERS = frozenset(
     {"dir", "state", "label", "noted", "shape", "control", "compass", "roadmod", "cue", "quantity"}
 )
+_STRAY = frozenset({"manner", "env"})
 _MAX_MODS = 10
 _SIDE_WORDS = 2
 _COMING_FROM = frozenset({"opposite", "ahead", "behind", "lateral", "adjacent"})
@@ -135,7 +136,7 @@ class Chunker:
         owner = self._owner()
         if head.cat == "actor":
             ours = self._tokens[head.i].low in word_list("first_person")
-            if ours and any(m.cat == "manner" or (m is mods[-1] and m.cat == "det") for m in mods):
+            if ours and any(m.cat in _STRAY or (m is mods[-1] and m.cat == "det") for m in mods):
                 return self._bare(mods, k)  # "so close I can't see it", "after that our car brakes"
             if self._side_before_number(mods):
                 return self._side(mods, k)
