@@ -140,9 +140,10 @@ def _mention(mention: Mention, clause: Clause, of_verbs: set[int], context: Cont
     placing.adjectives(mention, context)
     say("nouns.noun", clause, context)
     sides = [p for p in mention.pps if p.value in {"from", "in"} and p.names("side")]
+    comes = any(p.value == "from" for p in sides)
     for prep in mention.pps:
-        if id(prep) in of_verbs:
-            continue
+        if id(prep) in of_verbs or (comes and prep.value == "to" and prep.names("side")):
+            continue  # "a pedestrian from left to right": it comes from the left
         if prep.value == "from" and each_side(prep) and len(mention.entities) > 1:
             _spread(prep, mention.entities, context)
             continue
