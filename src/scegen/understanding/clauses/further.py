@@ -27,7 +27,11 @@ def apposed_to(state: State) -> Mention | None:
     )
     if not waiting or state.between != {","} or state.candidate_done:
         return None
-    told = predicate_opens(state.at(2)) if state.at(1).value == "," else _described_role(state)
+    verb = state.at(2)
+    coming = isinstance(verb, Event) and verb.form == "ing" and not verb.nominal
+    told = _described_role(state)
+    if state.at(1).value == ",":  # "a car, a taxi, coming from the left, brakes"
+        told = coming or predicate_opens(verb)
     return who if told else None
 
 
