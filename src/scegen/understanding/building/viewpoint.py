@@ -181,6 +181,8 @@ def allow(entity: Entity, approaches: set[Approach], basis: Basis) -> None:
     either = entity.approaches | approaches
     if Approach.OPPOSITE in either:
         either -= _ALONG  # "of two oncoming cars the one behind"
+    if not entity.is_vehicle and either & set(_SIDES.values()):
+        either -= {Approach.BEHIND}  # "walks behind it, coming from the left"
     entity.approaches = common or either
     if entity.approach_basis is None or common:
         entity.approach_basis = basis
