@@ -189,6 +189,7 @@ def _ordinary(scene: Setup, involved: set[frozenset[str]], named: set[str]) -> l
         for d in scene.drives.values()
         if frozenset((d.id, ego)) in involved
     }
+    hit_by = _hit_by(scene)
     for draft in sorted(scene.drives.values(), key=lambda d: d.drive.rank):
         queue = (draft.drive.entry, draft.entry_lane)
         if draft.id == ego or queue in taken:
@@ -197,7 +198,7 @@ def _ordinary(scene: Setup, involved: set[frozenset[str]], named: set[str]) -> l
         bystander = bool(scene.functional.hazards) and draft.id not in named and not collide
         priority = DANGER if collide else BYSTANDER if bystander else ORDINARY
         lag = PASSING_LAG_S if bystander else 0.0
-        if draft.id in _hit_by(scene):  # it has come to rest by then
+        if draft.id in hit_by:  # it has come to rest by then
             lag = scene.ego.cruise_mps / (2 * COMFORTABLE_BRAKING_MPS2) + HOLDS_S
         point = drives_meet(scene.ego, draft)
         if point is not None and point.opposed:

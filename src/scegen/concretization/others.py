@@ -14,7 +14,7 @@ from scegen.concretization.written import Comes, as_they_come
 from scegen.motion.model import Array, Path
 from scegen.motion.standing import crossing_path
 from scegen.road.model import RoadNetwork
-from scegen.scenario.acts import Act, AfterStart
+from scegen.scenario.acts import Act, ActKind, AfterStart
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import (
     CrossingMotion,
@@ -97,8 +97,9 @@ class Walker:
     @property
     def stands_s(self) -> float | None:
         """How long one stops who goes on then; None if it does not."""
-        lasts = None if self.stop is None else self.stop.duration_s
-        return None if lasts is None else lasts.middle
+        if self.stop is None or self.stop.kind is not ActKind.WAIT:
+            return None
+        return None if self.stop.duration_s is None else self.stop.duration_s.middle
 
     @property
     def profile(self) -> Profile:

@@ -20,7 +20,7 @@ from scegen.concretization.tale import Tale, pace_of
 from scegen.concretization.things import caused_by_nobody
 from scegen.motion.standing import heads_for_junction
 from scegen.road.cross_section import CARRIAGEWAY, KERBED, half_width_m
-from scegen.scenario.acts import Act, ActKind, BeforeJunction
+from scegen.scenario.acts import RESTING, Act, ActKind, BeforeJunction
 from scegen.scenario.bodies import Body
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Crossing
@@ -80,7 +80,8 @@ def stops(tale: Tale, name: str) -> bool:
 
 def stop_of(tale: Tale, name: str) -> Act | None:
     """The act by which it does: for a while, or for good."""
-    return tale.first_act(name, ActKind.STOP) or tale.first_act(name, ActKind.WAIT)
+    own = (act for act in tale.functional.acts if act.participant == name)
+    return next((act for act in own if act.kind in RESTING), None)
 
 
 def rests_m(tale: Tale, walk: Walker, met: Met, *, centre_m: float) -> float:

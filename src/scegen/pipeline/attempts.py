@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import TYPE_CHECKING
 
 from scegen.concretization import concretize
@@ -49,15 +50,28 @@ def make_one(
     raising = raise_danger(
         functional, concrete, target, seed, progress, session, solutions=solutions
     )
-    missed = _flaws(raising)[0] > 0
-    if not (missed and free and functional.outcome is None and target == NEAR_MISS):
+    if not (free and target == NEAR_MISS):
         return raising
-    touched = make_one(
-        functional, scenario, COLLISION, seed, progress, session, solutions=solutions
+    touch = partial(
+        make_one, functional, scenario, COLLISION, seed, progress, session, solutions=solutions
     )
+    return _or_touching(functional, raising, touch)
+
+
+def _or_touching(
+    functional: FunctionalScenario, raising: Raising, touch: Callable[[], Raising]
+) -> Raising:
+    """A collision, where nobody tells of the end and what is said allows of no near miss."""
+    if not _flaws(raising)[0] or functional.outcome is not None:
+        return raising
+    try:
+        touched = touch()
+    except InfeasibleError:  # no way to touch either: the near miss, and why it fails, is told
+        return raising
     if _flaws(touched) != (0, 0):
         return raising
-    touched.skipped[f"{scenario.name}, a near miss"] = _why(next(iter(raising.proofs.values())))
+    name, proof = next(iter(raising.proofs.items()))
+    touched.skipped[f"{name}, a near miss"] = _why(proof)
     return touched
 
 
@@ -84,30 +98,29 @@ def make_some(
     tried: dict[str, Raising] = {}
     skipped: dict[str, str] = {}
 
-    def attempt(scenario: LogicalScenario, *, free: bool) -> None:
-        name, solutions = scenario.name, options.solutions
-        progress(f"concretizing {name}")
-        try:
-            tried[name] = make_one(
-                functional, scenario, target, options.seed, progress, session,
-                solutions=solutions, free=free,
-            )  # fmt: skip
-        except InfeasibleError as error:
-            skipped[name] = error.render()
+    solutions, free = options.solutions, options.target is None
+    make = partial(make_one, functional, seed=options.seed, progress=progress, session=session,
+                   solutions=solutions)  # fmt: skip
 
     def good() -> int:
         return sum(_flaws(raising) == (0, 0) for raising in tried.values())
 
-    free = options.target is None
     for scenario in picked:
+        name = scenario.name
         if len(tried) >= most or (wanted <= good() and not options.pick):
             break
-        attempt(scenario, free=free and bool(options.pick))
-    for scenario in picked if free and not options.pick else ():
+        progress(f"concretizing {name}")
+        try:
+            tried[name] = make(scenario, target, free=free and bool(options.pick))
+        except InfeasibleError as error:
+            skipped[name] = error.render()
+    for scenario in picked if free and target == NEAR_MISS and not options.pick else ():
+        name = scenario.name
         if good():
             break
-        if scenario.name in tried:
-            attempt(scenario, free=True)
+        if name in tried:
+            touch = partial(make, scenario, COLLISION)
+            tried[name] = _or_touching(functional, tried[name], touch)
     if not tried:
         name, reason = next(iter(skipped.items()))
         more = f" (and {len(skipped) - 1} more)" if len(skipped) > 1 else ""

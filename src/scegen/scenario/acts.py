@@ -105,6 +105,8 @@ LASTING = frozenset(ActKind) - {
 SLOWING = frozenset({ActKind.BRAKE, ActKind.STOP})
 GAINING = frozenset({ActKind.ACCELERATE, ActKind.SET_OFF})
 """Acts by which somebody becomes slower, or faster."""
+RESTING = frozenset({ActKind.STOP, ActKind.WAIT})
+"""Acts by which somebody comes to stand, for good or for a while."""
 LEAVING = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.OVERTAKE})
 """Acts by which somebody leaves its lane."""
 FAR = SLOWING | GAINING | {ActKind.REVERSE, ActKind.CROSS}

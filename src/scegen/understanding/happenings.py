@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
-from scegen.scenario.acts import ActKind
+from scegen.scenario.acts import RESTING, ActKind
 from scegen.scenario.model import Interval
 from scegen.scenario.outcome import BodySide, OutcomeKind
 from scegen.scenario.spacings import START, Measure
@@ -78,7 +78,7 @@ class Doing:
     def ends_at_rest(self) -> bool:
         """Whether who does it stands in the end, for a while or for good."""
         target = self.amounts.get("target_speed_mps")
-        rests = self.kind in {ActKind.STOP, ActKind.WAIT}
+        rests = self.kind in RESTING
         return rests or (target is not None and target.value == STILL)
 
 

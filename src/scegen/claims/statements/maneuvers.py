@@ -19,7 +19,7 @@ from scegen.claims.tolerances import GAP_M, SAME_LANE_M, STANDS_MPS, TIME_S
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import HEADING, Floats
 from scegen.road.cross_section import CROSSWALK_WIDTH_M
-from scegen.scenario.acts import LEAVING, LETS_BY, ActKind
+from scegen.scenario.acts import LEAVING, LETS_BY, RESTING, ActKind
 from scegen.scenario.functional import Participant
 from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
 from scegen.scenario.logical import Crossing, Drive
@@ -96,7 +96,7 @@ def _stays_in_lane(drive: Drive, view: View) -> Judged:
 def _stops(told: Told, name: str) -> bool:
     """Whether it is said to stop on its way."""
     own = told.acts_of(name)
-    acts = any(act.kind in {ActKind.STOP, ActKind.WAIT} for act in own)
+    acts = any(act.kind in RESTING for act in own)
     acts |= any(act.kind is ActKind.CROSS and act.distance_m is not None for act in own)
     return acts or any(h.kind is HazardKind.STOPPING and name in h.by for h in told.hazards)
 

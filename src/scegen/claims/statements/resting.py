@@ -15,19 +15,17 @@ from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import Told
 from scegen.claims.tolerances import TIME_S
 from scegen.claims.view import View
-from scegen.scenario.acts import Act, ActKind
+from scegen.scenario.acts import RESTING, Act
 from scegen.scenario.model import Interval
 from scegen.scenario.spacings import CONTACT, LENGTHWISE, Measure, Spacing
 from scegen.scenario.vocabulary import HazardKind
-
-_RESTS = frozenset({ActKind.STOP, ActKind.WAIT})
 
 
 def claims(told: Told) -> Iterator[Claim]:
     """Of everybody who goes across and is said to stop on the way, before whom it meets."""
     for crossing in told.logical.crossings:
         name = crossing.participant
-        stop = next((a for a in told.acts_of(name) if a.kind in _RESTS), None)
+        stop = next((a for a in told.acts_of(name) if a.kind in RESTING), None)
         dangers = [h for h in told.hazards if name in h.by]
         if stop is None and all(h.kind is not HazardKind.STOPPING for h in dangers):
             continue
