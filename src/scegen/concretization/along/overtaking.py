@@ -15,7 +15,12 @@ from scegen.concretization.along.sideways import standings_beside
 from scegen.concretization.along.spacing import JUST_M, just_misses, level
 from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.amounts import BRAKING
-from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, LANE_CHANGE_S, LATERAL_MPS2
+from scegen.concretization.limits import (
+    ABRUPT_LANE_CHANGE_S,
+    COMFORTABLE_ACCELERATION_MPS2,
+    LANE_CHANGE_S,
+    LATERAL_MPS2,
+)
 from scegen.concretization.profile import NEVER_S, SpeedChange
 from scegen.concretization.tale import outward
 from scegen.errors import MotionInfeasibleError
@@ -164,7 +169,10 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     begins = story.begins_s[act.id]
     if act.when is None:
         begins = max(FIRST_ACT_S / 2, begins - FIRST_ACT_S)
-    begins, lasts = _in_time(fast, slow, (out_lane, offset), begins, fixed=act.when is not None)
+    usual = ABRUPT_LANE_CHANGE_S if act.kind is ActKind.SWERVE else LANE_CHANGE_S
+    begins, lasts = _in_time(
+        fast, slow, (out_lane, offset), (begins, usual), fixed=act.when is not None
+    )
     told = story.functional.participant(fast.id).speed_mps is not None
     told &= not any(a.participant == foremost.id and a.kind in GAINING for a in story.acts)
     if fast.speed_mps - foremost.speed_mps < (_HARDLY_MPS if told else _FASTER_MPS / 2):
@@ -218,21 +226,23 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
 
 
 def _in_time(
-    fast: Runner, slow: Runner, place: tuple[int, float], begins_s: float, *, fixed: bool
-) -> tuple[float, float]:
-    """When one pulls out and for how long, so that it is out as it comes up with the other.
+    fast: Runner, slow: Runner, place: tuple[int, float], usual_s: tuple[float, float],
+    *, fixed: bool,
+) -> tuple[float, float]:  # fmt: skip
+    """When one pulls out and for how long, as usual or so that it is out as it reaches the other.
 
     Where the text puts the two close together, that is at once, and as quickly as one can steer;
     where it says when (``fixed``), it is then.
     """
+    begins_s, longest_s = usual_s
     reaches_s = _when(partial(_level, fast, slow, 0.0), 0.0)
-    if reaches_s == 0.0 or reaches_s >= begins_s + LANE_CHANGE_S:
-        return begins_s, LANE_CHANGE_S
+    if reaches_s == 0.0 or reaches_s >= begins_s + longest_s:
+        return usual_s
     lane, offset_m = place
     aside_m = abs(fast.lane_y_m(lane) + fast.sign * offset_m - fast.y_m(0.0))
     shortest_s = sqrt(2.0 * pi * aside_m / LATERAL_MPS2)
     within_s = reaches_s - begins_s if fixed else reaches_s
-    lasts_s = min(max(shortest_s, within_s), LANE_CHANGE_S)
+    lasts_s = min(max(shortest_s, within_s), longest_s)
     return begins_s if fixed else min(begins_s, max(0.0, reaches_s - lasts_s)), lasts_s
 
 

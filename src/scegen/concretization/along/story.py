@@ -170,10 +170,17 @@ class Story(Tale):
     def goes_round(self, act: Act) -> bool:
         """Whether an act leads out of the lane, past somebody, and back.
 
-        One that changes lanes where there is no other of its direction does so round somebody.
+        One that changes lanes where there is no other of its direction does so round somebody, and
+        one that swerves round who stands in its lane.
         """
         if act.kind is ActKind.OVERTAKE:
             return True
+        if act.kind is ActKind.SWERVE and act.when is None and act.lateral_m is None:
+            own = self.runners[act.participant]
+            return any(
+                r.stands and not r.opens and (r.lane, r.forward) == (own.lane, own.forward)
+                for r in self.runners.values()
+            )
         if self.comes_back(act):
             return False
         drives = (d for d in self.logical.drives if d.participant == act.participant)
