@@ -6,11 +6,11 @@ from functools import cache
 
 from scegen.claims import claims_of
 from scegen.claims.hazards.scenes import judged_pairs
-from scegen.concretization import concretize
-from scegen.criticality import raise_criticality
+from scegen.criticality import Raised
 from scegen.criticality.search.proving import examine
 from scegen.enumeration import enumerate_scenarios
 from scegen.motion.friction import friction_of
+from scegen.pipeline.attempts import make_one
 from scegen.pipeline.picking import pick
 from scegen.pipeline.raising import chosen_target
 from scegen.road import build_network
@@ -42,9 +42,9 @@ def made(functional, index=None):
     """Its first (or another) scenario with its danger raised, and the proof."""
     listed = enumerate_scenarios(functional)
     scenario = pick(listed, None)[0] if index is None else listed.scenarios[index]
-    concrete = concretize(functional, scenario, seed=0)
     target = chosen_target(None, functional)
-    return raise_criticality(functional, concrete, target=target, seed=0)
+    raising = make_one(functional, scenario, target, 0, free=True)
+    return Raised(raising.concretes[0], next(iter(raising.proofs.values())))
 
 
 def missed(functional, concrete, logical=None):

@@ -75,7 +75,8 @@ def test_another_scenario_that_allows_of_a_near_miss_comes_before_a_collision(ou
 
 
 def test_who_cannot_be_missed_is_hit_if_nobody_asked_for_a_near_miss(outcomes):
-    outcomes += [proof(holds=False)] * (attempts.MOST_SPARE + 1) + [proof(holds=True)]
+    unhurt = proof(holds=False)
+    outcomes += [proof(holds=False)] * (attempts.MOST_SPARE + 1) + [unhurt, proof(holds=True)]
     made = make(target=None)
     ((name, taken),) = made.proofs.items()
     assert outcomes == []
@@ -83,13 +84,39 @@ def test_who_cannot_be_missed_is_hit_if_nobody_asked_for_a_near_miss(outcomes):
     assert "does not hold" in made.skipped[f"{name}, a near miss"]
 
 
+def test_what_is_said_may_allow_of_no_danger_if_nobody_asked_for_one(outcomes):
+    near = [proof(holds=False)] * attempts.MOST_SPARE + [proof(holds=True, in_band=False)]
+    outcomes += [*near, proof(holds=True)]
+    made = make(target=None)
+    ((name, taken),) = made.proofs.items()
+    assert outcomes == []
+    assert (taken.missed, taken.in_band) == ((), True)
+    assert "the target is not reached" in made.skipped[f"{name}, a near miss"]
+
+
 def test_where_they_cannot_touch_either_the_near_miss_is_told(outcomes):
     tried = attempts.MOST_SPARE + 1
-    outcomes += [proof(holds=False)] * tried + [proof(holds=True, in_band=False)] * tried
+    outcomes += [proof(holds=False)] * tried + [proof(holds=True, in_band=False)] * 2 * tried
     made = make(target=None)
     ((_, taken),) = made.proofs.items()
     assert taken.missed
     assert not any("a near miss" in name for name in made.skipped)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A coach is parked on the hard shoulder of the motorway as the ego drives by.",
+        "At 60 km/h the lead car stops with 5 m/s², 2 s ahead; after 1 s the ego brakes as hard.",
+    ],
+)
+def test_what_is_harmless(text):
+    functional = read(text)
+    picked = enumerate_scenarios(functional).scenarios
+    made = make_some(functional, picked, "near-miss", Options(), lambda _: None)
+    ((_, taken),) = made.proofs.items()
+    assert not taken.missed
+    assert (taken.target, taken.in_band) == ("avoided", True)
 
 
 @pytest.mark.parametrize("text", [

@@ -2,7 +2,6 @@
 
 import pytest
 
-from scegen.pipeline.raising import chosen_target
 from scegen.scenario.acts import ActKind
 from scegen.scenario.roadway import Strip
 from scegen.scenario.vocabulary import HazardKind, Maneuver
@@ -90,21 +89,6 @@ def test_who_has_crossed_or_goes_on_crosses(text):
 
 
 @pytest.mark.parametrize(
-    ("text", "target"),
-    [
-        ("The lorry in front accelerates and leaves the ego behind.", "avoided"),
-        ("A coach is parked on the hard shoulder of the motorway as the ego drives by.", "avoided"),
-        ("The lorry in front accelerates and then brakes hard.", "near-miss"),
-        ("The lorry behind accelerates.", "near-miss"),
-        ("The lorry in front accelerates and the ego hits it.", "collision"),
-        ("A coach is parked in a bay and opens its door as the ego drives by.", "near-miss"),
-    ],
-)
-def test_no_near_miss_is_looked_for_where_no_danger_is_told(text, target):
-    assert chosen_target(None, read(text)) == target
-
-
-@pytest.mark.parametrize(
     ("text", "side"),
     [
         ("At a crossroads a van from the right hits the ego on its right side.", "right"),
@@ -131,23 +115,30 @@ def test_an_ego_that_pulls_out_stands_in_a_bay_at_first(text):
     assert not found.unsupported
 
 
-def test_an_ego_that_stays_parked_is_said_to_drive():
-    found = read("The ego is parked at the roadside and a van scrapes past it.")
-    assert any("drives from the start" in u.instead for u in found.unsupported)
+@pytest.mark.parametrize(
+    ("text", "strip"),
+    [
+        ("The ego is parked at the roadside and a van scrapes past it.", Strip.PARKING),
+        ("Our car stands on the hard shoulder as a coach goes by.", Strip.HARD_SHOULDER),
+    ],
+)
+def test_an_ego_that_stays_beside_the_lanes_stands_there(text, strip):
+    found = read(text)
+    assert (found.ego.strip, found.ego.maneuvers) == (strip, {Maneuver.STAY})
+    assert not found.unsupported
 
 
 @pytest.mark.parametrize(
-    ("text", "strip", "target"),
+    ("text", "strip"),
     [
-        ("A woman walks along the verge ahead of the ego.", Strip.PAVEMENT, "avoided"),
-        ("A woman walks along the edge of the road ahead of the ego.", Strip.PAVEMENT, "avoided"),
-        ("A woman stands at the side of the road.", Strip.PAVEMENT, "avoided"),
-        ("A woman walks along the lane ahead of the ego.", None, "near-miss"),
-        ("The ego hits a woman who walks along the edge of the road.", None, "collision"),
-        ("The ego passes a woman on the edge of the road 1 m to its side.", None, "avoided"),
+        ("A woman walks along the verge ahead of the ego.", Strip.PAVEMENT),
+        ("A woman walks along the edge of the road ahead of the ego.", Strip.PAVEMENT),
+        ("A woman stands at the side of the road.", Strip.PAVEMENT),
+        ("A woman walks along the lane ahead of the ego.", None),
+        ("The ego hits a woman who walks along the edge of the road.", None),
+        ("The ego passes a woman on the edge of the road 1 m to its side.", None),
     ],
 )
-def test_who_keeps_to_the_edge_is_beside_the_lanes_unless_somebody_comes_near(text, strip, target):
+def test_who_keeps_to_the_edge_is_beside_the_lanes_unless_somebody_comes_near(text, strip):
     scenario = read(text)
     assert scenario.participant("pedestrian_1").strip is strip
-    assert chosen_target(None, scenario) == target

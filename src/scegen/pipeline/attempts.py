@@ -7,7 +7,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from scegen.concretization import concretize
-from scegen.criticality.target import COLLISION, NEAR_MISS
+from scegen.criticality.target import AVOIDED, COLLISION, NEAR_MISS
 from scegen.errors import InfeasibleError
 from scegen.pipeline.options import Options
 from scegen.pipeline.raising import Raising, raise_danger
@@ -38,7 +38,7 @@ def make_one(
     """One logical scenario made concrete in memory, its danger raised, its claims proved.
 
     Where nobody asked for the target (it is ``free``) or tells of the end, and all that is said
-    allows of no near miss, they touch.
+    allows of no near miss, nobody is endangered, or they touch.
 
     Raises:
         InfeasibleError: it cannot be made.
@@ -52,27 +52,30 @@ def make_one(
     )
     if not (free and target == NEAR_MISS):
         return raising
-    touch = partial(
-        make_one, functional, scenario, COLLISION, seed, progress, session, solutions=solutions
-    )
-    return _or_touching(functional, raising, touch)
+    other = partial(make_one, functional, scenario, seed=seed, progress=progress, session=session,
+                    solutions=solutions)  # fmt: skip
+    return _or_otherwise(functional, raising, other)
 
 
-def _or_touching(
-    functional: FunctionalScenario, raising: Raising, touch: Callable[[], Raising]
+def _or_otherwise(
+    functional: FunctionalScenario, raising: Raising, other: Callable[..., Raising]
 ) -> Raising:
-    """A collision, where nobody tells of the end and what is said allows of no near miss."""
-    if not _flaws(raising)[0] or functional.outcome is not None:
+    """What comes of it where nobody tells of the end, and what is said allows of no near miss.
+
+    Nobody is endangered, if all that is said holds so; else they touch.
+    """
+    if _flaws(raising) == (0, 0) or functional.outcome is not None:
         return raising
-    try:
-        touched = touch()
-    except InfeasibleError:  # no way to touch either: the near miss, and why it fails, is told
-        return raising
-    if _flaws(touched) != (0, 0):
-        return raising
-    name, proof = next(iter(raising.proofs.items()))
-    touched.skipped[f"{name}, a near miss"] = _why(proof)
-    return touched
+    for target in (AVOIDED, COLLISION):
+        try:
+            found = other(target=target)
+        except InfeasibleError:  # no way to touch: the near miss, and why it fails, is told
+            continue
+        if _flaws(found) == (0, 0):
+            name, proof = next(iter(raising.proofs.items()))
+            found.skipped[f"{name}, a near miss"] = _why(proof)
+            return found
+    return raising
 
 
 def make_some(
@@ -87,7 +90,7 @@ def make_some(
 
     Those that were picked by name are made whatever comes of them. Of the others, one in which a
     statement does not hold or the target is not reached is made only if no other will do, and
-    before that the first in which they touch, if nobody asked for the target; what was passed
+    before that the first that ends otherwise, if nobody asked for the target; what was passed
     over is told.
 
     Raises:
@@ -111,16 +114,15 @@ def make_some(
             break
         progress(f"concretizing {name}")
         try:
-            tried[name] = make(scenario, target, free=free and bool(options.pick))
+            tried[name] = make(scenario, target=target, free=free and bool(options.pick))
         except InfeasibleError as error:
             skipped[name] = error.render()
-    for scenario in picked if free and target == NEAR_MISS and not options.pick else ():
-        name = scenario.name
+    otherwise = free and target == NEAR_MISS and not options.pick
+    for name in sorted(tried, key=lambda name: _flaws(tried[name])) if otherwise else ():
         if good():
             break
-        if name in tried:
-            touch = partial(make, scenario, COLLISION)
-            tried[name] = _or_touching(functional, tried[name], touch)
+        scenario = next(each for each in picked if each.name == name)
+        tried[name] = _or_otherwise(functional, tried[name], partial(make, scenario))
     if not tried:
         name, reason = next(iter(skipped.items()))
         more = f" (and {len(skipped) - 1} more)" if len(skipped) > 1 else ""

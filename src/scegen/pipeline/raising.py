@@ -9,22 +9,16 @@ from typing import TYPE_CHECKING
 
 from scegen.criticality import OfflineProposer, Proposer, raise_criticality
 from scegen.criticality.target import AVOIDED, COLLISION, NEAR_MISS, parse_target
-from scegen.scenario.acts import SLOWING, ActKind
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.proof import Advice, Proof
-from scegen.scenario.roadway import Strip
-from scegen.scenario.spacings import START, Measure
-from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
 from scegen.scenario.wording import with_article
 
 if TYPE_CHECKING:  # what speaks to language models takes a tenth of a short run to load
     from scegen.llm import Session
 
 NO_SEARCH = "none"
-_PAST = frozenset({Maneuver.STRAIGHT, Maneuver.OVERTAKE})
-_PASSING = frozenset[HazardKind | ActKind]({HazardKind.OVERTAKING, ActKind.OVERTAKE})
 _TARGETS: dict[OutcomeKind | None, str] = {
     OutcomeKind.COLLISION: COLLISION,
     OutcomeKind.AVOIDED: AVOIDED,
@@ -61,82 +55,9 @@ def chosen_target(asked: str | None, functional: FunctionalScenario | None) -> s
     if asked is None:
         if functional is None:
             return None
-        unhurt = (_stands, _drives_past, _passes_aside, _draws_away, _stops_clear)
-        if any(told(functional) for told in unhurt):
-            return AVOIDED
         outcome = functional.outcome.kind if functional.outcome else None
         return _TARGETS.get(outcome, NEAR_MISS)
     return None if asked.strip().lower() == NO_SEARCH else parse_target(asked).text
-
-
-def _tells_more(functional: FunctionalScenario) -> bool:
-    """Whether anything happens besides that all take their ways."""
-    told = (functional.hazards, functional.acts, functional.spacings)
-    return functional.outcome is not None or any(told)
-
-
-def _stands(functional: FunctionalScenario) -> bool:
-    """Whether the ego stands while others take their ways."""
-    return functional.ego.maneuvers == {Maneuver.STAY} and not _tells_more(functional)
-
-
-def _drives_past(functional: FunctionalScenario) -> bool:
-    """Whether the ego goes past others that stand on other arms or beside the lanes."""
-    if _tells_more(functional):
-        return False
-    in_line = {Approach.AHEAD, Approach.BEHIND, Approach.ADJACENT}
-    crossing = functional.junction.kind is not JunctionKind.STRAIGHT
-    others = [p for p in functional.participants if p.id != functional.ego.id]
-    aside = bool(others)
-    for person in others:
-        stays = person.maneuvers == {Maneuver.STAY}
-        waits = crossing and bool(person.approaches) and not person.approaches & in_line
-        walks = person.maneuvers == {Maneuver.STRAIGHT} and person.strip is Strip.PAVEMENT
-        aside = aside and (walks or (stays and (waits or person.strip is not None)))
-    return aside
-
-
-def _passes_aside(functional: FunctionalScenario) -> bool:
-    """Whether all that is told is how one passes another: in its own lane, with so much room."""
-    told = {*(h.kind for h in functional.hazards), *(a.kind for a in functional.acts)}
-    if functional.outcome or not told <= _PASSING:
-        return False
-    ego, everybody = functional.ego.id, functional.participants
-    aside = [p for p in everybody if Approach.ADJACENT in p.approaches]
-    if 0 < len(aside) == len(everybody) - 1 and all(p.maneuvers <= _PAST for p in everybody):
-        return functional.junction.kind is JunctionKind.STRAIGHT
-    beside = [s for s in functional.spacings if s.measure is Measure.LATERAL_GAP_M]
-    passed = {name for s in beside for name in (s.participant, s.reference)}
-    return (
-        all(s.at == START for s in functional.spacings if s not in beside)
-        and passed == {p.id for p in everybody}
-        and all(h.by == (ego,) for h in functional.hazards)
-        and all(a.participant == ego for a in functional.acts)
-    )
-
-
-def _draws_away(functional: FunctionalScenario) -> bool:
-    """Whether all that is told is that those ahead of the ego leave it behind."""
-    ahead = {p.id for p in functional.participants if p.approaches == {Approach.AHEAD}}
-    others = {p.id for p in functional.participants} - {functional.ego.id}
-    leaving = {HazardKind.SUDDEN_ACCELERATION}
-    told = [*functional.hazards, *functional.acts]
-    return (
-        functional.outcome is None
-        and bool(told)
-        and others <= ahead
-        and all(h.kind in leaving and {*h.by} <= ahead for h in functional.hazards)
-        and all(a.kind is ActKind.ACCELERATE and a.participant in ahead for a in functional.acts)
-    )
-
-
-def _stops_clear(functional: FunctionalScenario) -> bool:
-    """Whether it is told how far from another the ego comes to rest."""
-    ego = functional.ego.id
-    stops = {a.id for a in functional.acts if a.participant == ego and a.kind in SLOWING}
-    gaps = (s for s in functional.spacings if s.measure is Measure.GAP_M and s.since == "end")
-    told = any(s.at in stops and ego in {s.participant, s.reference} for s in gaps)
-    return told and functional.outcome is None
 
 
 def raise_danger(

@@ -64,7 +64,8 @@ class Story(Tale):
     @property
     def in_bays(self) -> list[str]:
         """Those who drive, and stand in a bay beside the lanes at first."""
-        driven = (self.functional.participant(d.participant) for d in self.logical.drives)
+        off = (d for d in self.logical.drives if d.maneuver is not Maneuver.STAY)
+        driven = (self.functional.participant(d.participant) for d in off)
         return [p.id for p in driven if p.strip in BAYS and p.id in self.runners]
 
     @property

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.roadway import Strip
-from scegen.scenario.vocabulary import Approach, HazardKind, ParticipantKind
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.draft import Danger, Draft
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
@@ -17,7 +17,6 @@ _ENDANGERS = frozenset({HazardKind.CUT_IN, HazardKind.HARD_BRAKING, HazardKind.S
                         HazardKind.OVERTAKING})  # fmt: skip
 """What one vehicle does to another, which a text need not name."""
 _TO_ITSELF = frozenset({HazardKind.LOSS_OF_CONTROL, HazardKind.SWERVING, HazardKind.OBSTACLE})
-_DRIVES = "an ego that stays parked beside the road is not built; it drives from the start"
 _PARTIES = ("insured", "claimant")
 """Whose case a report tells."""
 
@@ -73,12 +72,14 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
 
 
 def _put_in_a_bay(draft: Draft, ego: Entity) -> None:
-    """``parked on the right, it pulls out``: an ego drives, out of a bay if that is where it is."""
+    """``parked on the right, it pulls out``: out of a bay; one that does not stays there."""
     stood = ego.was_parked or (ego.parked_basis if ego.parked else None)
+    stood = stood or (ego.stands if ego.strip is not None else None)
     ego.parked = False
-    if stood is None or not (ego.pulls_out or ego.sets_off >= 0):
-        draft.note_at(stood, _DRIVES)
+    if stood is None:
         return
+    if not (ego.pulls_out or ego.sets_off >= 0):
+        ego.maneuvers, ego.maneuver_basis = {Maneuver.STAY}, stood
     kerb, i, j = {Approach(draft.kerb)}, stood.i or 0, stood.j or 0
     sides = [p.basis for p in draft.placements_of(ego) if p.approaches == kerb]
     ends = [(min(i, b.i or 0), max(j, b.j or 0)) for b in sides if b.i is not None]

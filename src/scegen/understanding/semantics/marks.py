@@ -85,8 +85,7 @@ def comes_to_rest(entity: Entity, basis: Basis) -> None:
 def _stands_aside(entity: Entity, basis: Basis) -> None:
     """``stands on the shoulder``, ``… and pulls out``: parked, all the time or at first."""
     if entity.sets_off < (basis.i or 0):
-        if not entity.ego:
-            _parked(entity, basis)
+        (in_the_lane if entity.ego else _parked)(entity, basis)
     else:
         entity.was_parked, entity.pulls_out = entity.was_parked or basis, True
 

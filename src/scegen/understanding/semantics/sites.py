@@ -22,11 +22,14 @@ _OVER_THE_ROAD = frozenset({HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_
 
 def _on_strip(entity: Entity, site: Site) -> None:
     """One who stands beside the lanes stands in nobody's way, and nobody overtakes it."""
-    if entity.ego or entity.strip is not None or site.noun.head is None:
+    stands = entity.still or entity.was_parked is not None
+    if entity.ego and not stands:  # "a taxi overtakes the ego on the hard shoulder"
+        return
+    if entity.strip is not None or site.noun.head is None:
         return
     strip = Strip(site.noun.head.data["stands_on"])
     entity.strip = strip, site.basis
-    if not entity.is_vehicle:
+    if not entity.is_vehicle or entity.ego:
         return
     if entity.pulls_out or (strip in BAYS and entity.sets_off >= 0):
         entity.was_parked = entity.was_parked or site.basis
