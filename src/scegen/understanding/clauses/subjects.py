@@ -279,10 +279,13 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
 
 
 def _by_doing(event: Event, done_to: Event, told: bool, state: State) -> bool:
-    """``nearly hit me coming from the right``, ``overtakes a bus using the opposite lane``."""
+    """``nearly hit me coming from the right``, ``overtakes a bus using the opposite lane``.
+
+    Who rests is the other: ``hits it standing there``.
+    """
     if event.name == "use" and done_to.name in _PASSING:
         return isinstance(lane := state.at(1), Place) and "opposite" in lane.dirs
-    return told and done_to.name not in _SHOWN
+    return told and done_to.name not in _SHOWN and (event.name, event.form) not in RESTING
 
 
 def _last_of(noun: Mention, event: Event, state: State) -> list[Mention]:

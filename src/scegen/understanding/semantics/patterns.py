@@ -96,6 +96,7 @@ _FILTERS: dict[str, NounTest] = {
     "both": lambda n, _: n.has("quant"),
     "compass": lambda n, _: n.mod("compass") is not None,
     "different": _said("different", "another"),
+    "same": _said("same"),
     "edge": lambda n, c: n.kind == "sidewalk" or (n.kind == "side" and _of_road(n, c)),
     "unprotected": _said("unprotected"),
     "gap": _head("gap"),
