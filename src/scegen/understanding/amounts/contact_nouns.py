@@ -114,7 +114,9 @@ def around_it(i: int, known: Entity | None, text: Telling) -> list[Entity]:
     if not before and not after and known is None:
         before = text.spoken_of(0, len(text.tokens))
     chosen = [known] if known is not None else []
-    for entity in (*reversed(before), *after):
+    acting = {e for scene in text.within(start, i) for e in scene.actors}
+    # "a van overtakes a bus, and we collide": with who does something
+    for entity in (*sorted(reversed(before), key=lambda e: e not in acting), *after):
         if entity not in chosen and not entity.parked and len(chosen) < _PAIR:
             chosen.append(entity)
     if len(chosen) == 1:
