@@ -163,7 +163,8 @@ def _prepositional(mention: Mention, prep: Prep, state: State) -> None:
         last.object = mention  # "performs an overtaking manoeuvre of a van"
         state.stand_at(mention)
         return
-    if not (prep.value == "of" and _owns_place(mention, state)):
+    owns = prep.value == "of" and _owns_place(mention, state)
+    if not owns:
         attach(prep, state)
     if prep.fronted:
         state.last_pp = mention  # "behind a van on the right a man …": the van is there
@@ -178,7 +179,7 @@ def _prepositional(mention: Mention, prep: Prep, state: State) -> None:
         done.subject, done.form, done.nominal, done.finite = [mention], "s", False, True
     named = prep.value in {"with", "against"}
     if prep.value == "of" and state.anchor is not None and prep.on_mention is not None:
-        prep.on_mention.whole = mention
+        prep.on_mention.whole = prep.on_mention.whole if owns else mention
         return
     if state.waiting is not None and state.verb_follows:
         state.last_pp = mention

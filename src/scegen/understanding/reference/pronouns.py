@@ -173,16 +173,13 @@ def _counted(roster: Roster, mention: Mention, exclude: list[Entity], basis: Bas
     count = int(number.data["number"]) if number is not None else 1
     left = [e for e in whole if not e.some]  # "six vehicles: … three cars; one of the cars …"
     free = (roster.claim(count, exclude) or left[:count]) if which != "further" else []
+    alike = [e.kind for e in roster.recent if not e.ego and which in {"further", "one"}]
+    kind = (alike or [ParticipantKind.CAR])[-1]
     if which in {"others", "further"} and not free:
-        alike = [e.kind for e in roster.recent if e.is_vehicle and which == "further"]
-        kind = (alike or [ParticipantKind.CAR])[-1]
         return [roster.new(kind, basis) for _ in range(min(count, _MOST))]
     if free or which == "count":
         return picked(free) if which != "further" and not mention.sides else free
     new = which != "one" or bool(roster.recent)
-    kinds = {e.kind for e in roster.entities if not e.ego}
-    afoot = which == "one" and kinds == {ParticipantKind.PEDESTRIAN}
-    kind = ParticipantKind.PEDESTRIAN if afoot else ParticipantKind.CAR
     return [roster.new(kind, basis)] if new else []
 
 

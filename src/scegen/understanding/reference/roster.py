@@ -151,7 +151,8 @@ class Roster:
         if apart and (free := self.claim(1, exclude)):
             return free
         afoot = len(self.subject) == 1 and self.subject[0] is self.entities[-1]
-        alike = [e.kind for e in self.recent if e.is_vehicle or (afoot and e in self.subject)]
+        others = [e for e in self.recent if not e.ego]
+        alike = [e.kind for e in others if e.is_vehicle or (afoot and e in self.subject)]
         return [self.new((alike or [ParticipantKind.CAR])[-1], basis)]
 
     def named(self, reading: Reading, names: set[str], exclude: list[Entity]) -> list[Entity]:
