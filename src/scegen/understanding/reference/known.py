@@ -194,10 +194,11 @@ def _from_there(entity: Entity, reading: Reading) -> bool:
     """``the crossing car``: one that comes from either side.
 
     In "follows a car … the lead vehicle" who is followed is the one ahead; "the oncoming car" is
-    one that comes towards the ego, if nothing says from where.
+    one that comes towards the ego, if nothing says from where; "the oncoming lorry" any lorry.
     """
     placed = entity.dirs or entity.loci or entity.sides
-    if entity.nears and not placed and reading.dirs == {"opposite"}:
+    meets = entity.nears or entity.kind is not ParticipantKind.CAR
+    if meets and not placed and reading.dirs == {"opposite"}:
         return True
     across = {"left", "right"} if "lateral" in reading.dirs else set[str]()
     if any(known and known <= reading.dirs | across for known in (entity.dirs, entity.sides)):
