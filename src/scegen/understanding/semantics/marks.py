@@ -111,6 +111,7 @@ MARKS: dict[str, Mark] = {
     **{name: first(field, so) for name, (field, so) in _EITHER.items()},
     "pulls_out": lambda entity, _: setattr(entity, "pulls_out", True),
     "parked": _parked,
+    "off_strip": lambda entity, _: setattr(entity, "strip", None),  # "at its stop in our lane"
     "parks": _parks,
     "in_the_lane": in_the_lane,
     "comes_to_rest": comes_to_rest,
