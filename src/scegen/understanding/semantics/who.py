@@ -50,7 +50,8 @@ _PLACES = {"beside": Approach.ADJACENT} | {
 ENTITY: dict[str, EntityTest] = {
     # whoever is said to, or is on foot and not said to keep along the road
     "may_cross": lambda e, _: (
-        Maneuver.CROSS in e.maneuvers or not (e.is_vehicle or e.maneuvers == {Maneuver.STRAIGHT})
+        Maneuver.CROSS in e.maneuvers
+        or not (e.is_vehicle or e.maneuvers in ({Maneuver.STRAIGHT}, {Maneuver.STAY}))
     ),
     "stood": lambda e, _: e.pulls_out or e.was_parked is not None or e.stands is not None,
     "stood_free": lambda e, c: e.is_vehicle and e.stands is not None and c.junction.control is None,
