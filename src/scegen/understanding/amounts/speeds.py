@@ -130,13 +130,17 @@ def _without_speed(figure: Figure) -> list[Entity]:
 
 
 def _hand_on(entity: Entity, figure: Figure) -> None:
-    """``overtakes a tractor at 25 km/h; the ego drives 70 km/h``: the first was the tractor's."""
+    """``overtakes a tractor at 25 km/h; the ego drives 70 km/h``: the first was the tractor's.
+
+    In "At 100 km/h, a truck cuts in at 80 km/h" it was the ego's.
+    """
     basis, text = entity.speed_basis, figure.text
     if basis is None or basis.i is None:
         return  # nobody said it
     start, i = text.bounds(basis.i)[0], basis.i
     named = [m.entities for m in text.mentions if start <= m.i < i][-1:]
-    others = [e for e in named[0] if e is not entity] if named and len(named[0]) == 1 else []
+    alone = named[0] if named and len(named[0]) == 1 else []
+    others = [e for e in alone if e is not entity] if named else [text.ego]
     for other in (e for e in others if e.speed is None and not e.still):
         other.speed, other.speed_basis = entity.speed, basis
         entity.speed = entity.speed_basis = None
