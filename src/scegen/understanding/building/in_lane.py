@@ -209,9 +209,9 @@ def lanes_of_road(
     """
     ring, plain = kind is JunctionKind.ROUNDABOUT, kind is JunctionKind.STRAIGHT
     implied = draft.implied.get("lanes")
-    adjacent = next((e for e in draft.entities if Approach.ADJACENT in e.approaches), None)
-    if implied is None and adjacent is not None:
-        basis = adjacent.approach_basis or adjacent.basis
+    beside = [e for e in draft.entities if Approach.ADJACENT in e.approaches]
+    if implied is None and beside:
+        basis = beside[0].approach_basis or beside[0].basis
         implied = basis.because("vehicles side by side need a second lane")
     most = MAX_LANES if plain else _MOST_LANES
     if around.lanes == 1 and around.lanes_in_all is not None and implied is not None:
@@ -243,7 +243,9 @@ def lanes_of_road(
     named = [name for name, _ in lanes]
     if implied is None or not (ring or named or around.highway is not None):
         return (), None, None  # as many as it takes
-    count = _MOST_LANES if "middle" in named or _middle_lane(draft) else _FEWEST_TO_NAME
+    sides = {e.beside[0] for e in beside if e.beside is not None}
+    middle = "middle" in named or len(sides) > 1 or _middle_lane(draft)
+    count = _MOST_LANES if middle else _FEWEST_TO_NAME
     count = max(count, *(int(name.split()[0]) for name in named if name[0].isdigit()), 0)
     if count > most:
         msg = f"lane {count} is named; at most {most} lanes a direction are built here"
