@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from scegen.understanding.chunks import Chunk, Event, Mention
+from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.phrases.lookahead import (
     cat_at,
     chunk_at,
@@ -20,7 +20,9 @@ _NOBODY = "nobody"
 _GENERIC = frozenset({"car", "driver", "adversary"})
 _SPECIFIC = frozenset({"pedestrian", "bicycle", "motorcycle", "truck", "bus"})
 _QUALITIES = frozenset({("manner", "slow"), ("manner", "fast"), ("manner", "wrong_way")})
+_FROM_THERE = frozenset({"opposite", "lateral", "left", "right"})
 _AUXILIARIES = frozenset({"aux", "copy"})
+_TWO, _WITH_A_PLACE = 2, 3
 _FIRST_WORDS = frozenset({"det", "num", "quant", "possessive"})
 
 
@@ -32,13 +34,17 @@ def announce(chunks: list[Chunk]) -> list[Chunk]:
     left_out: set[int] = set()
     for begin, k in sentences(chunks):
         who = next(iter(_others(chunks[begin:k])), None)
+        first = next(iter(free_mentions(chunks[k + 1 :])), None)
+        title = chunks[begin:k]
+        if chunks[k].value == ":" and first is not None:
+            left_out |= _says_where(begin, k, chunks)
         if chunks[k].value != ":" or who is None or who.head is None or who.has("num"):
             continue
-        again = chunk_at(chunks, k + 1)
+        mere = chunk_at(chunks, k + 1).cat == "manner"  # "oncoming traffic: just one lorry"
+        again = chunk_at(chunks, k + 1 + mere)
         number = again.mod("num") if isinstance(again, Mention) and again.head else None
         told = _listed(chunks, k + 1)
-        title, entry = chunks[begin:k], _opens_entry(chunks[begin:k], who, again)
-        first = next(iter(free_mentions(chunks[k + 1 :])), None)
+        entry = _opens_entry(title, who, again)
         new = first in told and (_new(first) or (entry and _bare(first)))
         if first is not None and new and (entry or _anybody(who)):
             _turns_out(who, first)
@@ -55,10 +61,25 @@ def announce(chunks: list[Chunk]) -> list[Chunk]:
     return _without(left_out, chunks)
 
 
+def _says_where(begin: int, k: int, chunks: list[Chunk]) -> set[int]:
+    """``Oncoming: a lorry and a van``, ``From the left: a van``: the chunks to leave out."""
+    title = chunks[begin:k]
+    if len(title) == _TWO and title[0].cat == "prep" and isinstance(title[1], Place):
+        return {k}  # "from the left a van …"
+    if not title or any(c.cat not in {"dir", "locus"} for c in title):
+        return set()
+    where = [replace(c, cat="dir") for c in title if isinstance(c, Term)]
+    while isinstance(who := chunk_at(chunks, k + 1), Mention):
+        who.mods = [*who.mods, *where]
+        k += 2 if value_at(chunks, k + 2) in {"and", ","} else len(chunks)
+    return {*range(begin, begin + len(title) + 1)}
+
+
 def _anybody(mention: Mention) -> bool:
-    """``somebody``, ``another road user``, ``a wrong-way driver``: of no kind yet."""
+    """``somebody``, ``a wrong-way driver``, ``oncoming traffic``: of no kind yet."""
     data = mention.head.data if mention.head is not None else {}
-    return "vague" in data or "driver" in data
+    flows = "mass" in data and "stands" not in data and not _FROM_THERE.isdisjoint(mention.dirs)
+    return "vague" in data or "driver" in data or flows
 
 
 def _opens_entry(title: list[Chunk], who: Mention, after: Chunk) -> bool:
@@ -122,7 +143,8 @@ def _without(places: set[int], chunks: list[Chunk]) -> list[Chunk]:
 
 def _of_one(title: list[Chunk], rest: list[Chunk]) -> bool:
     """``Ego: left turn.``, ``Hard-braking coach: 0.55 g from 26 m/s``: of who is named before."""
-    who = title[0] if len(title) == 1 else None
+    somewhere = [c.cat for c in title[1:2]] == ["prep"] and isinstance(title[-1], Place)
+    who = title[0] if len(title) == 1 or (somewhere and len(title) == _WITH_A_PLACE) else None
     named = isinstance(who, Mention) and any("mass" not in h.data for h in who.heads)
     told = rest[0] if rest else None
     if isinstance(told, Event) and told.form == "ing":  # "Runner: coming from the left, a boy …"
