@@ -152,12 +152,18 @@ class _Driving:
         return place + further if further < gained else 0.0
 
     def _change(self, mark: SpeedChange, begins_s: float, target_mps: float) -> None:
-        stood_s = mark.then_s if self.profile.speed_mps(begins_s) < _SAME_MPS else None
-        self.profile.change(begins_s, target_mps, mark.rate_mps2)
+        speed, rate = self.profile.speed_mps(begins_s), mark.rate_mps2
+        stood_s = mark.then_s if speed < _SAME_MPS else None
+        if mark.sort is Sort.SLOWS and target_mps > speed and self.phases:
+            rate = self.phases[-1].rate_mps2  # one who still gains speed gains it as before
+        self.profile.change(begins_s, target_mps, rate)
         place, self.target, self.ready_s = self.profile.way_m(begins_s), target_mps, begins_s
         self.phases.append(
-            replace(mark, begins_s=begins_s, s_m=place, target_mps=target_mps, then_s=stood_s)
-        )
+            replace(
+                mark, rate_mps2=rate, begins_s=begins_s, s_m=place, target_mps=target_mps,
+                then_s=stood_s,
+            )
+        )  # fmt: skip
 
 
 @lru_cache(maxsize=_KEPT)
