@@ -177,7 +177,7 @@ def _definite(
     own = own and not (reading.dirs or reading.labels or reading.plural or mention.sides)
     ego = next((e for e in only if e.ego and "speaks" not in e.named_by), None)
     car = reading.kind is ParticipantKind.CAR and not reading.driver and mention.i > 0
-    own = own and ego not in exclude and "target" not in " ".join(reading.called)
+    own = own and ego not in exclude and not reading.is_target
     alone = len(only) == 1 and ego is not None and not elsewhere(reading, mention, ego)
     told_of = reading.det == "def" or (reading.det == "bare" and mention.possessor)
     if own and car and alone and ego is not None and told_of:

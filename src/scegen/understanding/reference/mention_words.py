@@ -36,6 +36,11 @@ class Reading:
     reason: str | None
     called: set[str] = field(default_factory=set)
 
+    @property
+    def is_target(self) -> bool:
+        """Whether it is what a test calls the other vehicle."""
+        return not word_list("targets").isdisjoint(" ".join(self.called).split())
+
 
 def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Reading:
     """What the words of a mention say."""

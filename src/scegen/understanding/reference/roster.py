@@ -222,7 +222,7 @@ class Roster:
         kind = kind or _called_so(entity, reading)
         if reading.labels and not reading.labels <= entity.labels:
             return False
-        if entity.ego and "target" in " ".join(reading.called):
+        if entity.ego and reading.is_target:
             return False  # a target is never the vehicle under test
         return kind and (entity.parked or not reading.parked)
 
