@@ -9,7 +9,7 @@ LEAVES = {"id": "out", "participant": "ego", "kind": "change_lane", "side": "lef
 
 def proof_of(*people, **fields):
     """So far apart that nothing the text tells makes it a near miss."""
-    return made(said("straight", *people, junction={"lanes": [2, 2]}, **fields)).proof
+    return made(said("straight", *people, junction={"lanes": [2, 2]}, **fields), free=False).proof
 
 
 def test_a_danger_that_its_amounts_decide_blocks_nothing():

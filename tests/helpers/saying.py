@@ -38,12 +38,15 @@ def said(kind, *people, junction=None, **fields):
 
 
 @cache
-def made(functional, index=None):
-    """Its first (or another) scenario with its danger raised, and the proof."""
+def made(functional, index=None, *, free=True):
+    """Its first (or another) scenario with its danger raised, and the proof.
+
+    Where the target is not ``free``, a near miss that cannot be had is missed.
+    """
     listed = enumerate_scenarios(functional)
     scenario = pick(listed, None)[0] if index is None else listed.scenarios[index]
     target = chosen_target(None, functional)
-    raising = make_one(functional, scenario, target, 0, free=True)
+    raising = make_one(functional, scenario, target, 0, free=free)
     return Raised(raising.concretes[0], next(iter(raising.proofs.values())))
 
 

@@ -116,7 +116,7 @@ def around_it(i: int, known: Entity | None, text: Telling) -> list[Entity]:
     chosen = [known] if known is not None else []
     acting = {e for scene in text.within(start, i) for e in scene.actors}
     # "a van overtakes a bus, and we collide": with who does something
-    for entity in (*sorted(reversed(before), key=lambda e: e not in acting), *after):
+    for entity in (*sorted(before[::-1], key=lambda e: e not in acting), *after):
         if entity not in chosen and not entity.parked and len(chosen) < _PAIR:
             chosen.append(entity)
     if len(chosen) == 1:
