@@ -116,7 +116,8 @@ def around_it(i: int, known: Entity | None, text: Telling) -> list[Entity]:
     chosen = [known] if known is not None else []
     acting = {e for scene in text.within(start, i) for e in scene.actors}
     # "a van overtakes a bus, and we collide": with who does something
-    for entity in (*sorted(before[::-1], key=lambda e: e not in acting), *after):
+    doing, others = ([e for e in before if (e in acting) is does] for does in (True, False))
+    for entity in (*reversed(doing), *reversed(others), *after):
         if entity not in chosen and not entity.parked and len(chosen) < _PAIR:
             chosen.append(entity)
     if len(chosen) == 1:
