@@ -98,6 +98,7 @@ ENTITY: dict[str, EntityTest] = {
     "person": lambda e, _: e.kind is ParticipantKind.PEDESTRIAN,
     "numbered": lambda e, _: e.lane is not None,
     "laned": lambda e, _: e.start_lane is not None,
+    "in_egos_lane": lambda e, _: e.in_egos_lane is not None,
     "on_minor": lambda e, _: e.on_minor is not None and e.on_minor[0],
 }
 
