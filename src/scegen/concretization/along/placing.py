@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from math import inf
 from typing import Literal
 
 from scegen.concretization.along.runner import FORTH_M, Move, Runner
@@ -45,6 +46,7 @@ _SLOWER_MPS = 0.5
 _STOPS_BEFORE_M = 1.0
 _AT_REST_S = 60.0
 _A_LITTLE_S = 0.1
+_PASSED_M = 2.0
 _HIT_AFTER_S = 1.2
 """Who is to run into a door that opens does so when it is open."""
 
@@ -65,6 +67,26 @@ def place_all(story: Story, *, wider: float = 1.0) -> None:
         else:
             name = min(open_, key=lambda n: _urgency(story, n, order))
             _place_as_usual(story, name, order, wider)
+    _past_things(story, {each.id for tie in said for each in (tie.who, tie.other)})
+
+
+def _past_things(story: Story, told: set[str]) -> None:
+    """Put those who would drive over what lies in another's way beyond it, where nothing is told.
+
+    They have lost it, or passed it before.
+    """
+    for name, thing in story.things.items():
+        lies, behind = story.runners[name], story.runners[thing.in_way_of or story.ego.id]
+        ahead = [
+            r for r in story.people.values()
+            if (r.lane, r.forward) == (lies.lane, lies.forward) and r.id not in told
+            and not (r.stands or r.moves) and (r.x_m(0.0) - behind.x_m(0.0)) * r.sign > 0.0
+        ]  # fmt: skip
+        ends_m = lies.x_m(0.0) * lies.sign + lies.body.front_m
+        rears_m = [runner.x_m(0.0) * runner.sign - runner.body.rear_m for runner in ahead]
+        short_m = ends_m + _PASSED_M - min(rears_m, default=inf)
+        for runner in ahead if short_m > 0.0 else []:
+            runner.at_m = runner.x_m(0.0) + runner.sign * short_m
 
 
 def _said(story: Story) -> Iterator[GapAt]:
