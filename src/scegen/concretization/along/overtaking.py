@@ -10,6 +10,7 @@ import numpy as np
 
 from scegen.claims.boxes import free, gap_m
 from scegen.concretization.along.performing import perform_known
+from scegen.concretization.along.placing import place_again
 from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.sideways import standings_beside
 from scegen.concretization.along.spacing import JUST_M, just_misses, level
@@ -30,7 +31,7 @@ from scegen.scenario.acts import GAINING, Act, ActKind
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import HazardKind
 
-_CLEAR_M = 6.0
+_CLEAR_M, _CLEAR_HURRYING_M = 6.0, 1.0
 _LONG_BACK_S = 2.5
 _LOOK_S, _LONGEST_S = 0.05, 60.0
 _CLEAR_BEFORE_S, _CLEAR_AFTER = 0.9, 0.6
@@ -59,7 +60,9 @@ def overtake(story: Story) -> None:
             perform_known(story, [act], placed=True)
         slow = passed_by(story, act)
         if slow:
-            _pass(story, act, story.runners[act.participant], slow)
+            fast = story.runners[act.participant]
+            _pass(story, act, fast, slow)
+            place_again(story, act, {r.id for r in (fast, *slow)})
         elif act.kind is ActKind.CHANGE_LANE or story.hazard_of(act) is not None:
             # Into the oncoming lane just for the oncoming; it comes back as they meet.
             out = Move(story.begins_s[act.id], LANE_CHANGE_S, 0, 0.0, act.id, story.hazard_of(act))
@@ -169,7 +172,12 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     begins = story.begins_s[act.id]
     if act.when is None:
         begins = max(FIRST_ACT_S / 2, begins - FIRST_ACT_S)
-    usual = ABRUPT_LANE_CHANGE_S if act.kind is ActKind.SWERVE else LANE_CHANGE_S
+    own = {fast.id, *(each.id for each in line)}
+    told_now = [s for s in story.functional.spacings if s.at == act.id]
+    at_once = act.when is not None or any(own >= {s.participant, s.reference} for s in told_now)
+    hurries = bool(told_now) and not at_once  # who comes towards it is so near
+    quick = hurries or act.kind is ActKind.SWERVE
+    usual = ABRUPT_LANE_CHANGE_S if quick else LANE_CHANGE_S
     begins, lasts = _in_time(
         fast, slow, (out_lane, offset), (begins, usual), fixed=act.when is not None
     )
@@ -182,21 +190,20 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
         fast.steps.append(gains)
     # The act by which it comes back in front of the other, if the text has one.
     later = story.acts[story.acts.index(act) + 1 :]
-    own = (a for a in later if a.participant == fast.id and a.kind is ActKind.CHANGE_LANE)
-    back = next((a for a in own if a.into in {None, slow.id}), None)
+    again = (a for a in later if a.participant == fast.id and a.kind is ActKind.CHANGE_LANE)
+    back = next((a for a in again if a.into in {None, slow.id}), None)
     making_room = {
         each.participant
         for each in story.acts
         if each.kind is ActKind.CHANGE_LANE and (each.side is None or each.side is not act.side)
     }
     stays = all(each.lane != fast.lane or each.id in making_room for each in line)
-    at_once = act.when is not None
-    at_once |= any(spacing.at == act.id for spacing in story.functional.spacings)
     aside = story.between(fast.id, slow.id, Measure.LATERAL_GAP_M)
     said = [s for s in story.functional.spacings if s.measure is Measure.GAP_M]
     ahead_m = (s.value.middle for s in said if back is not None and s.at == back.id)
     said_m = next(ahead_m, None)
-    clear_m = said_m or (0.0 if stays and back is None else _CLEAR_M)
+    clear_m = _CLEAR_HURRYING_M if hurries else _CLEAR_M
+    clear_m = said_m or (0.0 if stays and back is None else clear_m)
     is_clear = partial(_is_past, fast, foremost, clear_m)
     if not stays and not at_once and aside is None:
         reaches = _when(partial(_level, fast, slow, JUST_M), begins)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import replace
 from math import inf
 from typing import Literal
@@ -89,14 +89,28 @@ def _past_things(story: Story, told: set[str]) -> None:
             runner.at_m = runner.x_m(0.0) + runner.sign * short_m
 
 
-def _said(story: Story) -> Iterator[GapAt]:
+def place_again(story: Story, act: Act, fixed: Collection[str]) -> None:
+    """Keep what is told of an act whose moment has changed: all but those who are ``fixed`` move.
+
+    Who is as far from one of them as is said when it begins starts elsewhere.
+    """
+    for tie in _said(story, act.id):
+        free = [each for each in (tie.who, tie.other) if each.id not in fixed]
+        if len(free) == 1:
+            place(tie if free == [tie.who] else tie.turned())
+
+
+def _said(story: Story, at: str | None = None) -> Iterator[GapAt]:
     """The ties of the text: spacings along the road, and measures that set acts off.
 
-    Who has passed another comes back so far ahead of it as is said, wherever it starts.
+    Who has passed another comes back so far ahead of it as is said, wherever it starts. Only those
+    told of an act, if it is given.
     """
     back = {act.id for act in story.acts if story.comes_back(act)}
     for spacing in story.functional.spacings:
         pair = {spacing.participant, spacing.reference}
+        if at not in {None, spacing.at}:
+            continue
         known = pair <= story.runners.keys() and spacing.measure in LENGTHWISE
         if known and spacing.at != CONTACT and spacing.at not in back:
             time_s = 0.0 if spacing.at == START else story.begins_s.get(spacing.at, FIRST_ACT_S)
@@ -105,7 +119,7 @@ def _said(story: Story) -> Iterator[GapAt]:
             yield _gap_at(story, spacing, time_s, spacing.at, spacing.since)
     for act in story.acts:
         when = act.when
-        if not isinstance(when, WhenMeasure) or when.measure not in LENGTHWISE:
+        if not isinstance(when, WhenMeasure) or when.measure not in LENGTHWISE or at:
             continue
         if {when.participant, when.reference} <= story.runners.keys() and act.id in story.begins_s:
             yield _gap_at(story, when, story.begins_s[act.id], act.id)

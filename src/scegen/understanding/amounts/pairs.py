@@ -96,6 +96,9 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     bracketed = _bracketed(figure)
     if bracketed is not None and subject and bracketed not in subject:
         return subject[0], bracketed
+    beside = [m for m in before if m.j == figure.i and m.stands_after("with") and m.entities]
+    if beside and not (named or located) and beside[0].entities != [text.ego]:
+        return beside[0].entities[0], text.ego  # "overtakes it with a van 150 m away"
     by_verb = figure.role in {"overlap", "headway", "ttc"} or not (named or located)
     # "follows a car 30 m behind it", "follows a truck 25 m in front of it"
     by_verb = by_verb or (pronoun and figure.does == "follow")
