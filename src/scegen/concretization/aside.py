@@ -125,8 +125,8 @@ def close_before(
     Not if the other does not come along there.
     """
     place_m = draft.laid.path_s_m(station_m)
-    pose = draft.laid.path.pose(place_m)
-    there_m, apart_m = nearest_s_m(other.laid.path, pose.x_m, pose.y_m)
+    pose = draft.path.pose(place_m)
+    there_m, apart_m = nearest_s_m(other.path, pose.x_m, pose.y_m)
     if apart_m > _SAME_LINE_M:
         return []
     closing = other.course.speed_at(there_m) - draft.course.speed_at(place_m)

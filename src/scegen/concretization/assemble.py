@@ -199,8 +199,8 @@ def _goal_m(scene: Setup, name: str, path: Path) -> float:
             draft.laid.path_s_m(change.position_m + change.length_m) + 5.0
             for change in draft.lane_changes
         ]
-        places += [ends_m + 10.0 for _, ends_m in draft.laid.path.backwards]
-        return min(max(places), draft.laid.path.length_m) - draft.start_m - 1e-6
+        places += [ends_m + 10.0 for _, ends_m in draft.path.backwards]
+        return min(max(places), draft.path.length_m) - draft.start_m - 1e-6
     if name in scene.walks:
         return max(0.0, path.length_m - 0.5)
     return 0.0

@@ -18,11 +18,11 @@ from scegen.concretization.limits import (
     REVERSING_MPS2,
     STOPPING_MPS2,
 )
+from scegen.concretization.meetings import first_ground
 from scegen.concretization.others import WalkDraft
 from scegen.concretization.profile import Sort, SpeedChange
 from scegen.concretization.setup import Setup, require_room
 from scegen.errors import MotionInfeasibleError
-from scegen.measures.grounds import grounds
 from scegen.motion.lanes import arm_lane_id
 from scegen.motion.standing import side_sign
 from scegen.scenario.acts import ActKind
@@ -65,11 +65,10 @@ def back_up(scene: Setup, draft: DriveDraft, other: DriveDraft | WalkDraft | Non
     On another's arm ahead of it; where the ways cross, beyond the other's way: right across it, or
     until it is just before one on foot.
     """
-    laid, shared = draft.laid, None
+    length_m, shared = draft.path.length_m, None
     along = isinstance(other, DriveDraft) and other.drive.entry == draft.drive.entry
     if other is not None and not along:
-        way = other.path if isinstance(other, WalkDraft) else other.laid.path
-        shared = next(iter(grounds(laid.path, draft.body, way, other.body)), None)
+        shared = first_ground(draft, other)
         if shared is None:
             raise MotionInfeasibleError(
                 f"its way and that of {other.id} do not touch, so it cannot reverse into it",
@@ -77,15 +76,13 @@ def back_up(scene: Setup, draft: DriveDraft, other: DriveDraft | WalkDraft | Non
             )
     back_m, waits_s = float(scene.rng.uniform(*_BACK_M)), _WAITS_S
     if shared is None:
-        stops_s = laid.path.length_m / 2 + _BEHIND_MIDDLE_M
+        stops_s = length_m / 2 + _BEHIND_MIDDLE_M
         if not scene.network.plain:
             stops_s = draft.junction_s_m - draft.body.front_m - _BEFORE_JUNCTION_M
     elif isinstance(other, WalkDraft):
         stops_s, back_m, waits_s = shared.leave_m + _PAST_M, _PAST_M - _ROOM_M, _GOES_AT_ONCE_S
         draft.backs_to = other.id
-    elif shared.leave_m < min(
-        laid.path.length_m - _MERGED_M - _BEFORE_END_M, shared.enter_m + _WIDE_M
-    ):
+    elif shared.leave_m < min(length_m - _MERGED_M - _BEFORE_END_M, shared.enter_m + _WIDE_M):
         stops_s = shared.leave_m + _CLEAR_M
         back_m = min(stops_s - (shared.enter_m + shared.leave_m) / 2, _LONGEST_BACK_M)
     else:
@@ -104,7 +101,7 @@ def _up_and_back(
     draft.lay(scene.network)
     scene.note(f"{draft.id}.reversal.from_m", station, "reversing: stops here and goes back")
     # Brake to creeping, creep, stand: at the place from which it goes back.
-    rest_s, ends_s = draft.laid.path.backwards[0]
+    rest_s, ends_s = draft.path.backwards[0]
     hard = HazardKind.HARD_BRAKING in scene.kinds_by(draft.id)
     rate = draft.braking_mps2(HARD_BRAKING_MPS2[0] if hard else STOPPING_MPS2)
     begins = brakes_from(draft, rest_s - _CREEPS_M, rate, CREEP_MPS)
@@ -130,7 +127,7 @@ def back_out(scene: Setup, draft: DriveDraft) -> None:
         back = BacksOut(side=side, setback_m=setback, radius_m=radius)
         _come_to(scene, draft, _BEFORE_END_M, back)
     scene.note(f"{draft.id}.start_m", draft.joins_m, "reversing: comes out backwards to here")
-    draft.alone_s_m = (0.0, draft.laid.path.backwards[0][1] + _ROOM_M)
+    draft.alone_s_m = (0.0, draft.path.backwards[0][1] + _ROOM_M)
     _go_back(scene, draft, _WAITS_S)
 
 
@@ -162,7 +159,7 @@ def _come_to(scene: Setup, draft: DriveDraft, before_m: float, back: BacksOut) -
 
 def back_straight(scene: Setup, draft: DriveDraft, speed: float, stop: SpeedChange) -> float:
     """Stand, go back and stop before the way ends; returns where it begins to."""
-    begins_s, ends_s = draft.laid.path.backwards[0]
+    begins_s, ends_s = draft.path.backwards[0]
     scene.note(f"{draft.id}.reversal.setback_m", ends_s - begins_s, "reversing: comes so far back")
     draft.alone_s_m = (0.0, ends_s + _ROOM_M)
     act = scene.first_act(draft.id, ActKind.REVERSE)
@@ -184,7 +181,7 @@ def reversing_mps(scene: Setup, draft: DriveDraft) -> float:
 
 def _go_back(scene: Setup, draft: DriveDraft, waits_s: float) -> None:
     """Stand, go back, stop where the way back ends, pause, and drive on."""
-    begins_s, ends_s = draft.laid.path.backwards[0]
+    begins_s, ends_s = draft.path.backwards[0]
     said = scene.functional.participant(draft.id).speed_mps
     speed = said.middle if said is not None else float(scene.rng.uniform(*REVERSING_MPS))
     if said is None:

@@ -94,7 +94,7 @@ def _index(places_m: Array, place_m: float) -> int:
 
 def grounds_s(one: DriveDraft, other: DriveDraft) -> tuple[Ground, ...]:
     """The grounds of two in times, each on its own clock; inf where one never gets."""
-    return _in_time(one.laid.path, one.body, one.course, other.laid.path, other.body, other.course)
+    return _in_time(one.path, one.body, one.course, other.path, other.body, other.course)
 
 
 @remembered
@@ -111,10 +111,10 @@ def _lines(one: DriveDraft, other: DriveDraft) -> tuple[Line, ...]:
     begins = [(0.0, 0.0)] if one.drive.entry == other.drive.entry else []
     begins += [
         (ground.enter_m + a.front_m, ground.other_enters_m + b.front_m)
-        for ground in grounds(one.laid.path, a, other.laid.path, b)
+        for ground in grounds(one.path, a, other.path, b)
     ]
     ends_m = one.exit_s_m + _BEYOND_M
-    driven = one.laid.path, a, one.course, other.laid.path, b, other.course
+    driven = one.path, a, one.course, other.path, b, other.course
     return _along(*driven, tuple(begins), ends_m)
 
 

@@ -56,7 +56,7 @@ def do_acts(scene: Setup) -> None:
             draft.offset_s = -STOOD_S
             continue
         if isinstance(draft.reversal, BacksUp) and _stands_behind(scene, draft):
-            draft.offset_s = -draft.course.time_at(draft.laid.path.backwards[0][0] - _ROLLS_M)
+            draft.offset_s = -draft.course.time_at(draft.path.backwards[0][0] - _ROLLS_M)
         if draft.parked_s_m is not None or draft.drive.reverses is Reverses.SQUARE:
             continue
         marks = list(marks_of(scene, draft))

@@ -16,6 +16,7 @@ from scegen.concretization.limits import (
 )
 from scegen.concretization.profile import Sort, SpeedChange
 from scegen.motion.friction import GRAVITY_MPS2
+from scegen.motion.model import Path
 from scegen.motion.paths import lay_towards
 from scegen.motion.polyline import LaidDrive
 from scegen.motion.trigger_steps import just_before_step_s
@@ -114,10 +115,15 @@ class DriveDraft:
         return self.laid_
 
     @property
+    def path(self) -> Path:
+        """Its line."""
+        return self.laid.path
+
+    @property
     def course(self) -> Course:
         """When it is where if it starts at the outer end of its entry arm."""
         first_mps = CREEP_MPS if self.backs_out else self.cruise_mps
-        return course_of(tuple(self.speed_changes()), first_mps, self.laid.path.length_m)
+        return course_of(tuple(self.speed_changes()), first_mps, self.path.length_m)
 
     @property
     def junction_s_m(self) -> float:
@@ -170,7 +176,7 @@ class DriveDraft:
 
     def speed_at_mps(self, time_s: float) -> float:
         """Its speed at a time of the scenario; 0 at the end of its way."""
-        left_m = self.laid.path.length_m - self.start_m - self.gone_m(time_s)
+        left_m = self.path.length_m - self.start_m - self.gone_m(time_s)
         return self.course.speed_then(time_s - self.offset_s) if left_m > _ENDS_M else 0.0
 
     @property

@@ -22,9 +22,9 @@ from scegen.concretization.meetings import (
     STRUCTURAL,
     Meeting,
     drives_meet,
+    first_ground,
 )
 from scegen.concretization.setup import Setup
-from scegen.measures.grounds import grounds
 from scegen.scenario.acts import GAINING, ActKind
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.functional import Hazard
@@ -113,7 +113,7 @@ def stops_for_walkers(scene: Setup, draft: DriveDraft, *names: str) -> tuple[flo
     """
     stops = []
     for walk in (scene.walks[n] for n in names or scene.walks if n in scene.walks):
-        for shared in grounds(draft.laid.path, draft.body, walk.path, walk.body)[:1]:
+        if (shared := first_ground(draft, walk)) is not None:
             over = min(shared.other_leaves_m, walk.path.length_m)
             clear = over + _CLEAR_BEHIND_M - walk.setback_m
             stops.append((shared.enter_m - _CLEAR_OF_WALKER_M, clear / walk.speed_mps))

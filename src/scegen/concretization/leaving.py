@@ -82,7 +82,7 @@ def _leave_lane(
         return _come_into_lane(scene, draft, along[0], kind) if wide else []
     if kind is HazardKind.ONCOMING_LANE and blocking_m(scene, draft):
         return []  # it strays round that one
-    heading = draft.laid.path.heading_rad
+    heading = draft.path.heading_rad
     if kind is HazardKind.SUDDEN_TURN and abs(heading - heading[0]).max() > _BEND_RAD:
         return []  # it turns; where there is no bend, it turns the wheel all the same
     return _out_and_back(scene, draft, along, kind)

@@ -5,11 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from itertools import pairwise
 from math import cos, sin
+from typing import Protocol
 
 import numpy as np
 
 from scegen.concretization.drafts import DriveDraft
-from scegen.measures.grounds import grounds
+from scegen.measures.grounds import Ground, grounds
 from scegen.measures.nearest import least_gap_m
 from scegen.measures.remembering import remembered
 from scegen.motion.model import Array, Path
@@ -69,15 +70,30 @@ def sampled(path: Path) -> tuple[Array, Array, Array, Array]:
     )
 
 
-def meeting_point(first: Path, body: Body, second: Path, other_body: Body) -> MeetingPoint | None:
-    """Where two ways that start apart first cross or merge: amid the ground that they share."""
-    ground = next(iter(grounds(first, body, second, other_body)), None)
+class Way(Protocol):
+    """One who has a way and goes along it."""
+
+    body: Body
+
+    @property
+    def path(self) -> Path:
+        """Its line."""
+
+
+def first_ground(one: Way, other: Way) -> Ground | None:
+    """The first that two who start apart share; None if their ways do not touch."""
+    return next(iter(grounds(one.path, one.body, other.path, other.body)), None)
+
+
+def meeting_point(first: Way, second: Way) -> MeetingPoint | None:
+    """Where two ways first cross or merge: amid the ground that they share."""
+    ground = first_ground(first, second)
     if ground is None:
         return None
-    one = (ground.enter_m + min(ground.leave_m, first.length_m)) / 2 + body.centre_ahead_m
-    two = (ground.other_enters_m + min(ground.other_leaves_m, second.length_m)) / 2
-    two += other_body.centre_ahead_m
-    turn = first.pose(one).heading_rad - second.pose(two).heading_rad
+    one = (ground.enter_m + min(ground.leave_m, first.path.length_m)) / 2
+    two = (ground.other_enters_m + min(ground.other_leaves_m, second.path.length_m)) / 2
+    one, two = one + first.body.centre_ahead_m, two + second.body.centre_ahead_m
+    turn = first.path.pose(one).heading_rad - second.path.pose(two).heading_rad
     return MeetingPoint(one, two, opposed=cos(turn) < _OPPOSED)
 
 
@@ -136,11 +152,9 @@ def drives_meet(first: DriveDraft, second: DriveDraft) -> MeetingPoint | None:
         together = first.entry_lane == second.entry_lane
         if together or first.lane_changes or second.lane_changes:
             return None
-    ways = first.laid.path, first.body, second.laid.path, second.body
-    point = meeting_point(*ways)
-    if point is None:
+    point, ground = meeting_point(first, second), first_ground(first, second)
+    if point is None or ground is None:
         return None
-    ground = grounds(*ways)[0]
     if point.opposed and _comes_back(first):
         return MeetingPoint(ground.leave_m, ground.other_enters_m, opposed=True)
     if point.opposed and _comes_back(second):
@@ -159,7 +173,7 @@ def _comes_back(draft: DriveDraft) -> bool:
 
 def ways_touch(first: DriveDraft, second: DriveDraft) -> bool:
     """Whether bodies on two ways can touch: the lines come closer than half of both widths."""
-    _, x1, y1, _ = sampled(first.laid.path)
-    _, x2, y2, _ = sampled(second.laid.path)
+    _, x1, y1, _ = sampled(first.path)
+    _, x2, y2, _ = sampled(second.path)
     wide_m = (first.body.width_m + second.body.width_m) / 2
     return least_gap_m(x1, y1, x2, y2, wide_m) < wide_m

@@ -68,7 +68,7 @@ def track(scene: Setup, name: str, times_s: Array) -> tuple[Boxes, Array]:
         own = times_s - draft.offset_s
         way, speed = draft.course.profile.at_times(np.maximum(own, 0.0))
         way = way + np.minimum(own, 0.0) * speed
-        return box_on(draft.laid.path, draft.body, way), speed
+        return box_on(draft.path, draft.body, way), speed
     if name in scene.walks:
         walk = scene.walks[name]
         way, speed = walk.gone(times_s - leaves_s(scene, name))
@@ -124,7 +124,7 @@ def _track_until_gone(scene: Setup, name: str, times_s: Array) -> tuple[Boxes, A
     draft = scene.drives.get(name)
     if draft is None:
         return boxes, speed
-    leaves = draft.course.profile.time_s(draft.laid.path.length_m - _GONE_M)
+    leaves = draft.course.profile.time_s(draft.path.length_m - _GONE_M)
     gone = times_s >= draft.offset_s + leaves
     return boxes._replace(x=np.where(gone, np.nan, boxes.x)), speed
 

@@ -15,7 +15,6 @@ from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.lights import Lights
 from scegen.concretization.limits import STOPS_FOR_S
 from scegen.concretization.meetings import ORDINARY, Meeting
-from scegen.concretization.profile import Sort, SpeedChange
 from scegen.concretization.setup import Setup
 from scegen.motion.rules.giving_way import CLEAR_S, TOGETHER_S, Duty
 from scegen.scenario.outcome import OutcomeKind
@@ -118,8 +117,9 @@ class Manners:
         """Let one wait until another is before it, and gone as it comes; whether it can."""
         waited_s, served = late.waits_s, late.lets_by
         late.waits_s = STOPS_FOR_S
-        again = _going_on(late).begins_s
-        stops_s = late.course.stop.begins_s if late.course.stop is not None else again
+        on, stop = late.course.going_on, late.course.stop
+        again = on.begins_s if on is not None else inf
+        stops_s = stop.begins_s if stop is not None else again
         rests_s = again - STOPS_FOR_S
         # One that would still come too soon waits until the other is gone.
         early = served != other.id
@@ -184,10 +184,6 @@ def _is_free(draft: DriveDraft) -> bool:
     does = draft.marks or draft.steps or draft.reversal or draft.lane_changes
     stands = draft.stands or draft.drive.circulating
     return not (does or stands)
-
-
-def _going_on(draft: DriveDraft) -> SpeedChange:
-    return next(phase for phase in draft.course.phases if phase.sort is Sort.GOES_ON)
 
 
 def _rests_s(draft: DriveDraft, offset_s: float) -> float:

@@ -141,8 +141,8 @@ def reverse(scene: Setup) -> list[Meeting]:
 
 def _braked_for(draft: DriveDraft, other: DriveDraft) -> Meeting:
     """The one is so far when the other has to brake."""
-    (s, *own), (its, *theirs) = sampled(draft.laid.path), sampled(other.laid.path)
-    begins_s, ends_s = draft.laid.path.backwards[0]
+    (s, *own), (its, *theirs) = sampled(draft.path), sampled(other.path)
+    begins_s, ends_s = draft.path.backwards[0]
     back, still = (s >= begins_s) & (s <= ends_s), np.zeros(1)
     x, y, heading = (row[back, None] for row in own)
     x2, y2, heading2 = theirs
@@ -170,7 +170,7 @@ def as_it_comes(draft: DriveDraft, other: DriveDraft, moment_s: float) -> Trigge
     brakes_s = 0.0 if square else _braked_for(draft, other).second_s_m
     if at_s >= brakes_s or speed < 1.0:
         return as_they_come([other], moment_s)
-    here, there = other.laid.path.pose(at_s), other.laid.path.pose(brakes_s)
+    here, there = other.path.pose(at_s), other.path.pose(brakes_s)
     time_s = hypot(there.x_m - here.x_m, there.y_m - here.y_m) / speed
     place_m = round(brakes_s - other.start_m, 3)
     return ArrivalBelow(participant=other.id, place_m=place_m, time_s=round(time_s, 3))
@@ -219,7 +219,7 @@ def _passage(draft: DriveDraft, other: DriveDraft) -> tuple[float, float, float]
     How far behind that one's place its line is, where on its path it is just behind it, and how far
     it comes to the left by the metre.
     """
-    path, way = draft.laid.path, other.laid.path
+    path, way = draft.path, other.path
     begins_s = path.backwards[0][0]
     stands = path.pose(begins_s)
     near_m, _ = nearest_s_m(way, stands.x_m, stands.y_m)

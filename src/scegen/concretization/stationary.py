@@ -179,7 +179,7 @@ def _spot(scene: Setup, draft: DriveDraft, body: Body, *, stays: bool) -> tuple[
 
 def _met_m(draft: DriveDraft, pose: Pose, body: Body) -> float | None:
     """Where on its way a drive is level with what stands or lies there, None if it stays clear."""
-    path = draft.laid.path
+    path = draft.path
     s = np.linspace(0.0, path.length_m, max(2, int(path.length_m / _SAMPLE_M) + 1))
     near = apart(box_on(path, draft.body, s), box_of(pose, body), _CLEAR_M) < _CLEAR_M
     if not near.any():

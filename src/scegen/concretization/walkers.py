@@ -183,7 +183,7 @@ def _from_junction_m(scene: Setup, crossing: Crossing) -> float:
 def partner_of(scene: Setup, walk: WalkDraft) -> tuple[DriveDraft, MeetingPoint] | None:
     """The drive into whose way a walker steps; who stands all the time comes up to nobody."""
     for draft in (each for each in scene.concerned(walk.id) if not each.stands):
-        point = meeting_point(draft.laid.path, draft.body, walk.path, walk.body)
+        point = meeting_point(draft, walk)
         if point is not None:
             return draft, point
     return None
@@ -198,7 +198,7 @@ def rendezvous(
     Behind one that reverses it is where the tail will be.
     """
     if draft.backs_to == walk.id:
-        begins_s, ends_s = draft.laid.path.backwards[0]
+        begins_s, ends_s = draft.path.backwards[0]
         return (begins_s + ends_s) / 2, point.second_s_m
     line_s, met = _met_at(draft, walk, point)
     way = aim_m(scene, walk, met)
@@ -218,7 +218,7 @@ def rendezvous(
 
 def _met_at(draft: DriveDraft, walk: WalkDraft, point: MeetingPoint) -> tuple[float, Met]:
     """Where on a drive a walker's line lies, and how it meets that one there."""
-    line_s, middle_m, turn = crossing_at(draft.laid.path, walk.path, point)
+    line_s, middle_m, turn = crossing_at(draft.path, walk.path, point)
     middle_m -= walk.body.centre_ahead_m
     to_left = 1 if sin(turn) > 0 else -1
     return line_s, Met(draft.id, draft.body, draft.cruise_mps, middle_m, to_left)
@@ -263,7 +263,7 @@ def stop_in_the_way(scene: Setup) -> None:
         if not _by_the_road(scene, walk):
             aside_m = met.to_left * (rests - met.middle_m)
             reach_m = draft.body.front_m + walk.body.width_m / 2
-            rests = before_front_m(draft.laid.path, walk.path, point, reach_m, aside_m) - ahead_m
+            rests = before_front_m(draft.path, walk.path, point, reach_m, aside_m) - ahead_m
         length = min(rests + STOPS_SHORT_M, walk.path.length_m)
         # Nobody reaches its full pace on a way too short to stop from it.
         walk.speed_mps = round(min(walk.speed_mps, _OF_PEAK * sqrt(walk.rate_mps2 * length)), 3)

@@ -41,7 +41,7 @@ from scegen.motion.trigger_steps import put_between_steps
 from scegen.road import build_network
 from scegen.road.model import RoadNetwork
 from scegen.scenario.acts import ActKind
-from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario, door_of
+from scegen.scenario.concrete import ConcreteScenario, door_of
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.logical import Drive, LogicalScenario, Reverses
 from scegen.scenario.objects import StaticObject
@@ -151,15 +151,14 @@ def compose_along(
     story.seed = seed
     lay(story)
     _stay_on_their_side(story)
-    parked = park(story)
-    closest = closest_s(story, max(ends_s(story), passes_s(story, parked)))
+    park(story)
+    closest = closest_s(story, max(ends_s(story), passes_s(story)))
     lasts = min(closest + _AFTER_S, _LONGEST_S)
     planned = plan(story.functional, logical, _PLAIN_M, story.lane_count)
-    frame = frame_of(story, parked, planned, closest, min(_SPARE * lasts, _LONGEST_S))
+    frame = frame_of(story, planned, closest, min(_SPARE * lasts, _LONGEST_S))
     parameters = fitted(road_of(planned, frame), story, frame.joint_m)
     network = build_network(parameters)
-    standing = [written_parked(story, frame, p) for p in parked]
-    made = _written(story, frame, parameters, network, lasts, standing)
+    made = _written(story, frame, parameters, network, lasts)
     return hide(story.functional, made, network)
 
 
@@ -181,20 +180,18 @@ def _stay_on_their_side(story: Story) -> None:
 
 
 def _written(
-    story: Story, frame: Frame, road: RoadParameters, network: RoadNetwork, lasts_s: float,
-    parked: list[ConcreteParticipant],
-) -> ConcreteScenario:  # fmt: skip
-    standing = {p.id: p for p in parked}
+    story: Story, frame: Frame, road: RoadParameters, network: RoadNetwork, lasts_s: float
+) -> ConcreteScenario:
     people = []
     for name in (participant.id for participant in story.functional.participants):
-        if name in standing:
-            people.append(standing[name])
+        if name in story.parked:
+            people.append(written_parked(story, frame, name))
         elif name in story.runners:
             people.append(written_runner(story, frame, name))
         elif name in story.walks:
             people.append(written_walk(story, frame, network, story.walks[name]))
     doors = opens(story.functional)
-    people += [written_door(story, doors[p.id], p) for p in parked if p.id in doors]
+    people += [written_door(story, doors[p.id], p) for p in people if p.id in doors]
     things = (r.id for r in story.runners.values() if r.thing and not r.opens)
     objects = [_thing(story, frame, network, name) for name in things]
     _note(story)

@@ -166,12 +166,9 @@ def _unbraked(story: Story, meets: Runner) -> Runner:
 
 def _hidden_behind_m(story: Story, when: WhenMeasure) -> float:
     """How much farther its line lies than the near end of one who is parked before it."""
-    along = {name for name, runner in story.runners.items() if not runner.opens}
-    for standing in story.logical.standings:
-        name = standing.participant
-        if name in {when.participant, when.reference} - along and when.measure is Measure.GAP_M:
-            return story.functional.participant(name).body.length_m + BEFORE_WALKER_M
-    return 0.0
+    parked = (story.parked.get(name) for name in (when.participant, when.reference))
+    before = next(filter(None, parked), None) if when.measure is Measure.GAP_M else None
+    return 0.0 if before is None else before.body.length_m + BEFORE_WALKER_M
 
 
 def _spacing(story: Story, walk: Walk, other: str) -> _Told | None:

@@ -10,7 +10,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from math import ceil, copysign
 
-from scegen.concretization.along.parked import Parked
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.story import Story
 from scegen.errors import MotionInfeasibleError
@@ -111,19 +110,19 @@ class Frame:
         return arc.pose(s).shifted(forward_m=beyond + half - s, left_m=y_m)
 
 
-def frame_of(
-    story: Story, parked: list[Parked], road: RoadParameters, closest_s: float, lasts_s: float
-) -> Frame:
+def frame_of(story: Story, road: RoadParameters, closest_s: float, lasts_s: float) -> Frame:
     """A road long enough for everybody until the end, with the joint where their arms need it.
 
     A bend lies about where the ego is when the others come closest.
     """
-    arm = story.ego_arm
+    arm, parked = story.ego_arm, story.parked.values()
+    near = [p for p in parked if story.standing(p.id).arm == arm]
+    beyond_it = [p for p in parked if p not in near]
     spans = [r.ends_m(time_s) for r in story.runners.values() for time_s in (0.0, lasts_s)]
     own = [w.x_m for w in story.walks.values() if w.crossing.arm == arm]
-    own += [p.x_m + p.body.length_m for p in parked if p.standing.arm == arm]
+    own += [p.middle_m(0.0) + p.body.length_m for p in near]
     far = [w.x_m for w in story.walks.values() if w.crossing.arm != arm]
-    far += [p.x_m - p.body.length_m for p in parked if p.standing.arm != arm]
+    far += [p.middle_m(0.0) - p.body.length_m for p in beyond_it]
     forward = [r.ends_m(0.0)[1] for r in story.runners.values() if r.forward]
     backward = [r.ends_m(0.0)[0] for r in story.runners.values() if not r.forward]
     everything = [*own, *far]
@@ -136,9 +135,9 @@ def frame_of(
     if marked:
         beyond = CROSSWALK_MIDDLE_M if marked[0].crossing.arm == arm else -CROSSWALK_MIDDLE_M
         joint = marked[0].x_m + beyond
-        near = [p.x_m for p in parked if p.standing.arm == arm]
-        beyond_it = [p.x_m for p in parked if p.standing.arm != arm]
-        _joined_between(joint, [*near, *forward], [*beyond_it, *backward])
+        forward += [p.middle_m(0.0) for p in near]
+        backward += [p.middle_m(0.0) for p in beyond_it]
+        _joined_between(joint, forward, backward)
     curve, arc, axis_y, met = curve_of(road), 0.0, 0.0, dict[str, float]()
     if curve is not None:
         if not marked:

@@ -12,7 +12,6 @@ from scegen.claims.boxes import free, gap_m
 from scegen.concretization.along.performing import perform_known
 from scegen.concretization.along.placing import place_again
 from scegen.concretization.along.runner import Move, Runner
-from scegen.concretization.along.sideways import standings_beside
 from scegen.concretization.along.spacing import JUST_M, just_misses, level
 from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.amounts import BRAKING
@@ -68,7 +67,7 @@ def overtake(story: Story) -> None:
             out = Move(story.begins_s[act.id], LANE_CHANGE_S, 0, 0.0, act.id, story.hazard_of(act))
             story.runners[act.participant].moves.append(out)
             story.ends_s[act.id] = out.ends_s
-        elif not standings_beside(story):  # past one who is parked beside the lanes leads no change
+        elif not story.parked:  # past one who is parked beside the lanes leads no change
             raise MotionInfeasibleError(
                 "nobody is ahead of it whom it could overtake",
                 where=act.participant,

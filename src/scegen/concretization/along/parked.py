@@ -6,16 +6,10 @@ which that swings, from the moment on at which it opens.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from scegen.concretization.along.crossing import BEFORE_WALKER_M
 from scegen.concretization.along.runner import Runner
-from scegen.concretization.along.sideways import (
-    on_left,
-    standings_beside,
-    strip_middle_m,
-)
 from scegen.concretization.along.story import Story
 from scegen.concretization.others import Walk
 from scegen.concretization.profile import NEVER_S
@@ -24,7 +18,6 @@ from scegen.motion.doors import REACH_M, hinge_ahead_m
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import BODIES, Body
 from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.logical import Standing
 from scegen.scenario.roadway import Carriageway
 from scegen.scenario.spacings import START, Measure
 from scegen.scenario.vocabulary import HazardKind, ParticipantKind, Side
@@ -37,38 +30,28 @@ _IN_THE_WAY_M = 0.3
 """By so much it reaches into the way of who comes along: one rides or drives as near as that."""
 
 
-@dataclass(frozen=True, slots=True)
-class Parked:
-    """One who is parked: the middle of its box lies at ``x_m`` of the road."""
-
-    id: str
-    body: Body
-    standing: Standing
-    x_m: float
-
-
-def park(story: Story) -> list[Parked]:
-    """Places for all who are parked, in rows.
+def park(story: Story) -> None:
+    """Give all who are parked their places, in rows.
 
     Before those whom they hide, around one that opens its door, and others along the way.
     """
     hiding = {name for hazard in story.of_kind(HazardKind.OCCLUSION) for name in hazard.by}
     doors = opens(story.functional).keys() & story.runners.keys() - hiding
-    beside = standings_beside(story)
-    opened = {on_left(story, s): s.participant for s in beside if s.participant in doors}
-    rows: dict[tuple[bool, str], list[Standing]] = {}
-    for standing in beside:
-        left, name = on_left(story, standing), standing.participant
-        walk = _hidden(story, standing, hiding)
+    opened = {r.on_left: name for name, r in story.parked.items() if name in doors}
+    rows: dict[tuple[bool, str], list[Runner]] = {}
+    for name, runner in story.parked.items():
+        left = runner.on_left
+        walk = _hidden(story, runner, hiding)
         before = opened.get(left) if name not in hiding else None
         before = before or (walk.id if walk is not None else "")
-        rows.setdefault((left and bool(before), before), []).append(standing)
-    return [p for (_, name), row in rows.items() for p in _in_a_row(story, row, name)]
+        rows.setdefault((left and bool(before), before), []).append(runner)
+    for (_, name), row in rows.items():
+        _in_a_row(story, row, name)
 
 
-def _in_a_row(story: Story, row: list[Standing], before: str) -> Iterator[Parked]:
+def _in_a_row(story: Story, row: list[Runner], before: str) -> None:
     """In the order in which they are passed, from the one on whose place something depends."""
-    bodies = [story.functional.participant(s.participant).body for s in row]
+    bodies = [runner.body for runner in row]
     first, middle, sense = 0, story.ego.x_m(_PASSED_AT_S), 1
     walk = story.walks.get(before)
     if walk is not None:
@@ -77,31 +60,32 @@ def _in_a_row(story: Story, row: list[Standing], before: str) -> Iterator[Parked
         middle = walk.x_m + sense * away
     elif before:
         door = story.runners[before]
-        first = next(n for n, s in enumerate(row) if s.participant == before)
+        first = next(n for n, runner in enumerate(row) if runner.id == before)
         middle, sense = middle_m(door, bodies[first]), door.sign
     else:
-        first, middle = _said_m(story, row, bodies) or (first, middle)
-    for n, standing in enumerate(row):
+        first, middle = _said_m(story, row) or (first, middle)
+    for n, runner in enumerate(row):
         between = bodies[min(n, first) + 1 : max(n, first)]
         away = (bodies[n].length_m + bodies[first].length_m) / 2 + _BETWEEN_M
         away += sum(body.length_m + _BETWEEN_M for body in between)
         x = middle + sense * ((n > first) - (n < first)) * away
-        yield Parked(standing.participant, bodies[n], standing, x)
+        runner.at_m = x - runner.sign * runner.body.centre_ahead_m
 
 
-def passes_s(story: Story, parked: list[Parked]) -> float:
+def passes_s(story: Story) -> float:
     """When the ego has passed all of whom it is said how far ahead they stand."""
-    said = [p.x_m - story.ego.x_m(0.0) for p in parked if _ahead_m(story, p.id) is not None]
+    known = [p for name, p in story.parked.items() if _ahead_m(story, name) is not None]
+    said = [p.middle_m(0.0) - story.ego.x_m(0.0) for p in known]
     moments = map(story.ego.profile.time_s, said)
     return max((moment for moment in moments if moment < NEVER_S), default=0.0)
 
 
-def _said_m(story: Story, row: list[Standing], bodies: list[Body]) -> tuple[int, float] | None:
+def _said_m(story: Story, row: list[Runner]) -> tuple[int, float] | None:
     """Of whom in a row it is said how far from the ego it is at first, and its place."""
-    for n, standing in enumerate(row):
-        ahead_m = _ahead_m(story, standing.participant)
+    for n, runner in enumerate(row):
+        ahead_m = _ahead_m(story, runner.id)
         if ahead_m is not None:
-            return n, story.ego.ends_m(0.0)[1] + ahead_m + bodies[n].length_m / 2
+            return n, story.ego.ends_m(0.0)[1] + ahead_m + runner.body.length_m / 2
     return None
 
 
@@ -111,10 +95,10 @@ def _ahead_m(story: Story, name: str) -> float | None:
     return said.value.middle if said is not None and said.at == START else None
 
 
-def _hidden(story: Story, standing: Standing, hiding: set[str]) -> Walk | None:
+def _hidden(story: Story, runner: Runner, hiding: set[str]) -> Walk | None:
     """Whom one hides: who sets off from its side; from anywhere if it is said to hide somebody."""
-    hides = standing.participant in hiding
-    same = [w for w in story.walks.values() if w.from_left == on_left(story, standing)]
+    hides = runner.id in hiding
+    same = [w for w in story.walks.values() if w.from_left == runner.on_left]
     found = [*same, *(story.walks.values() if hides else ())]
     return found[0] if found and (hides or not hiding) else None
 
@@ -128,13 +112,11 @@ def opens(functional: FunctionalScenario) -> dict[str, Act]:
 
 def cast_doors(story: Story) -> None:
     """Add those who open a door to those along the road; lanes come later."""
-    for standing in story.logical.standings:
-        name = standing.participant
-        if name not in opens(story.functional) or name in story.runners:
-            continue
-        forward = beside_outermost(story, standing) or is_one_way(story)
-        box = replace(_DOOR, length_m=_DOOR.width_m, width_m=REACH_M)
-        story.add(name, ParticipantKind.DOOR, box, forward=forward, thing=True)
+    box = replace(_DOOR, length_m=_DOOR.width_m, width_m=REACH_M)
+    for name, vehicle in story.parked.items():
+        if name in opens(story.functional):
+            door = story.made(name, ParticipantKind.DOOR, box, forward=vehicle.forward, thing=True)
+            story.runners[name] = door
 
 
 def is_one_way(story: Story) -> bool:
@@ -142,29 +124,23 @@ def is_one_way(story: Story) -> bool:
     return story.functional.junction.carriageway is Carriageway.ONE_WAY
 
 
-def beside_outermost(story: Story, standing: Standing) -> bool:
-    """Whether one stands on the side of the outermost lane of who enters as the ego does."""
-    keeps = story.functional.junction.driving_side.value
-    return (standing.arm == story.ego_arm) == (standing.side.value == keeps)
-
-
 def inner_doors(story: Story) -> set[str]:
     """Who opens a door beside the innermost lane: on the other side of a one-way road."""
-    names = opens(story.functional).keys() if is_one_way(story) else ()
-    stand = (s for s in story.logical.standings if s.participant in names)
-    return {s.participant for s in stand if not beside_outermost(story, s)}
+    names = opens(story.functional).keys() & story.parked.keys() if is_one_way(story) else ()
+    return {name for name in names if story.stands_left(name) != story.ego.keeps_left}
 
 
 def hang_doors(story: Story) -> None:
     """Put doors beside the lane next to them, and those whom they endanger within their reach."""
     functional, runners = story.functional, story.runners
     for name in opens(functional).keys() & runners.keys():
-        door, vehicle = runners[name], functional.participant(name).body
+        door, vehicle = runners[name], story.parked[name]
         inner = name in inner_doors(story)
         inward = outward(functional, Side.LEFT) * (1 if inner else -1)
-        middle = strip_middle_m(story, name)
-        tip = REACH_M - (middle - vehicle.width_m / 2) - door.lane_width_m / 2
-        door.lane, door.offset_m = 1 if inner else story.lane_count, inward * (tip - REACH_M / 2)
+        door.lane = 1 if inner else story.lane_count
+        beside_m = abs(vehicle.y_m(0.0) - door.lane_y_m(door.lane)) - vehicle.body.width_m / 2
+        tip = REACH_M - beside_m
+        door.offset_m = inward * (tip - REACH_M / 2)
         for other in (runners[n] for n in endangered(functional, name) if n in runners):
             said = any(
                 spacing.measure is Measure.LATERAL_GAP_M

@@ -175,6 +175,15 @@ class Runner:
         front, rear = x + self.sign * self.body.front_m, x - self.sign * self.body.rear_m
         return min(front, rear), max(front, rear)
 
+    @property
+    def on_left(self) -> bool:
+        """Whether it is on the ego's left of the centre line at first."""
+        return self.y_m(0.0) > 0.0
+
+    def middle_m(self, time_s: float) -> float:
+        """Where the middle of its box is along the road."""
+        return sum(self.ends_m(time_s)) / 2
+
     def speed_at_mps(self, time_s: float) -> float:
         """Its speed."""
         return self.profile.speed_mps(time_s)

@@ -14,7 +14,7 @@ from scegen.errors import MotionInfeasibleError
 from scegen.road.cross_section import CARRIAGEWAY, LANE_TYPES, median_half_m, strips_beside
 from scegen.road.model import LaneType
 from scegen.scenario.concrete import MOST_OFFSET_M
-from scegen.scenario.logical import Heading, Standing, Walking
+from scegen.scenario.logical import Heading, Walking
 from scegen.scenario.roadway import BAYS, Carriageway, Strip
 from scegen.scenario.spacings import CONTACT, Measure, Spacing
 from scegen.scenario.vocabulary import Side
@@ -29,21 +29,10 @@ def edge_y_m(story: Story, *, left: bool) -> float:
     return width * (1 if left else -1)
 
 
-def standings_beside(story: Story) -> list[Standing]:
-    """Those who stand beside the lanes and do not walk."""
-    along = {name for name, runner in story.runners.items() if not runner.opens}
-    return [s for s in story.logical.standings if s.participant not in along]
-
-
-def on_left(story: Story, standing: Standing) -> bool:
-    """Whether somebody stands on the ego's left."""
-    return (standing.side is Side.LEFT) == (standing.arm == story.ego_arm)
-
-
 def strip_m(story: Story, *, left: bool) -> float:
     """How wide the strips for vehicles are beside the lanes of a side; 0 where nobody needs any."""
     needed = story.functional.junction.strips - {Strip.PAVEMENT}
-    if not needed and all(on_left(story, s) != left for s in standings_beside(story)):
+    if not needed and all(p.on_left != left for p in story.parked.values()):
         return 0.0
     return sum(width for kind, width in strips_along(story) if kind in CARRIAGEWAY)
 
@@ -51,13 +40,13 @@ def strip_m(story: Story, *, left: bool) -> float:
 def offset_all(story: Story) -> None:
     """Put those aside of whom the text says how far they are so, or where they are hit."""
     told: set[str] = set()
-    parked = {s.participant: _parked(story, s) for s in standings_beside(story)}
-    known = parked | story.runners
+    parked = story.parked.keys()
+    known = story.parked | story.runners
     for spacing in story.functional.spacings:
         who, other = spacing.participant, spacing.reference
         if who == other and who in story.runners:
             story.runners[who].shift(spacing.value.middle)
-        elif {who, other} <= known.keys() and {who, other} & story.runners.keys() - parked.keys():
+        elif {who, other} <= known.keys() and {who, other} & story.runners.keys() - parked:
             kept = {story.ego.id, *parked} if other not in parked else {*parked}
             mover, fixed = (other, who) if who in kept else (who, other)
             pair = known[who], known[other]
@@ -81,16 +70,6 @@ def offset_all(story: Story) -> None:
             continue  # it stays where it is said to be
         left = (0.5 - story.impact_share) * ego.body.width_m
         _put_aside(runner, ego, left, in_the_end=True)
-
-
-def _parked(story: Story, standing: Standing) -> Runner:
-    """One who is parked beside the lanes, as others see it across the road."""
-    name, left = standing.participant, on_left(story, standing)
-    middle = edge_y_m(story, left=left) + (1 if left else -1) * strip_middle_m(story, name)
-    body = story.functional.participant(name).body
-    stands = replace(story.ego, id=name, body=body, lane=0, offset_m=0.0, moves=[])
-    stands.shift(stands.sign * (middle - stands.y_m(0.0)))
-    return stands
 
 
 def _meet(spacing: Spacing, who: Runner, other: Runner) -> bool:
@@ -161,9 +140,17 @@ def put_on_strips(story: Story) -> None:
 
     Who walks against the traffic is placed from the lane of those who come towards it.
     """
+    middles = _middles_m(story)
+    for name, runner in story.parked.items():
+        strip = story.functional.participant(name).strip
+        kinds = {LaneType.PARKING, LaneType.SHOULDER} if strip is None else {LANE_TYPES[strip]}
+        beyond_m = next(middle for kind, middle in middles.items() if kind in kinds)
+        left = story.stands_left(name)
+        middle = edge_y_m(story, left=left) + (beyond_m if left else -beyond_m)
+        runner.lane = 1
+        runner.shift(runner.sign * (middle - runner.y_m(0.0)))
     if story.functional.junction.auxiliary is not None:
         return  # a lane of the road lies there, for a part of the way
-    middles = _middles_m(story)
     for name, runner in story.people.items():
         runner.lane_count, runner.strips_m = story.lane_count, tuple(middles.values())
         strip, against = story.functional.participant(name).strip, _against_traffic(story, name)
@@ -186,13 +173,6 @@ def strips_along(story: Story) -> list[tuple[LaneType, float]]:
     strips = story.functional.junction.strips
     parked = bool(strips & BAYS or standing_in_bays(story.functional, story.logical))
     return strips_beside(strips, parked=parked)
-
-
-def strip_middle_m(story: Story, name: str) -> float:
-    """How far beyond the lanes the middle of the strip lies on which somebody stands."""
-    said = story.functional.participant(name).strip
-    wanted = {LaneType.PARKING, LaneType.SHOULDER} if said is None else {LANE_TYPES[said]}
-    return next(middle for kind, middle in _middles_m(story).items() if kind in wanted)
 
 
 def _middles_m(story: Story) -> dict[LaneType, float]:

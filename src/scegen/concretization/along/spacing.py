@@ -118,4 +118,4 @@ def place(tie: GapAt) -> None:
 def level(who: Runner, other: Runner, time_s: float) -> float:
     """Where ``who`` starts so that the middles of both are level at a moment."""
     from_0 = replace(who, at_m=0.0)
-    return sum(other.ends_m(time_s)) / 2 - sum(from_0.ends_m(time_s)) / 2
+    return other.middle_m(time_s) - from_0.middle_m(time_s)

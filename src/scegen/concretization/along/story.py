@@ -14,7 +14,7 @@ from scegen.motion.model import Array
 from scegen.road.cross_section import median_half_m
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import Body
-from scegen.scenario.logical import Drive, Rule
+from scegen.scenario.logical import Drive, Rule, Standing
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.roadway import BAYS, Carriageway
 from scegen.scenario.things import Thing
@@ -26,9 +26,13 @@ FIRST_ACT_S = 4.0
 
 @dataclass
 class Story(Tale):
-    """Who does what when; ``begins_s`` and ``ends_s`` by act, ``things`` lie in somebody's way."""
+    """Who does what when; ``begins_s`` and ``ends_s`` by act, ``things`` lie in somebody's way.
+
+    ``parked`` stand beside the lanes; the door that one of them opens is among the ``runners``.
+    """
 
     runners: dict[str, Runner] = field(default_factory=dict)
+    parked: dict[str, Runner] = field(default_factory=dict)
     walks: dict[str, Walk] = field(default_factory=dict)
     lane_count: int = 1
     things: dict[str, Thing] = field(default_factory=dict)
@@ -36,25 +40,33 @@ class Story(Tale):
     ends_s: dict[str, float] = field(default_factory=dict)
     seed: int = 0
 
-    def add(
+    def made(
         self, name: str, kind: ParticipantKind, body: Body, lane: int = -1, *,
         forward: bool, thing: bool = False,
     ) -> Runner:  # fmt: skip
-        """Somebody or something more along this road, at rest; lanes may come later."""
+        """Somebody or something on this road, at rest; lanes may come later."""
         junction = self.functional.junction
-        self.runners[name] = Runner(
+        return Runner(
             name, kind, body, forward, lane, 0.0, thing=thing,
             keeps_left=junction.driving_side is DrivingSide.LEFT,
             inner_m=median_half_m(junction.carriageway),
             lane_width_m=junction.lanes_wide_m,
         )  # fmt: skip
-        return self.runners[name]
 
     @property
     def ego_arm(self) -> int:
         """The arm by which the ego comes."""
         ego = self.logical.assignment(self.functional.ego.id)
         return ego.entry if isinstance(ego, Drive) else 0
+
+    def standing(self, name: str) -> Standing:
+        """How one who is parked stands."""
+        return next(s for s in self.logical.standings if s.participant == name)
+
+    def stands_left(self, name: str) -> bool:
+        """Whether that is on the ego's left."""
+        standing = self.standing(name)
+        return (standing.side is Side.LEFT) == (standing.arm == self.ego_arm)
 
     @property
     def people(self) -> dict[str, Runner]:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from scegen.concretization.along.acts import all_acts
 from scegen.concretization.along.frame import RAMP_MPS
 from scegen.concretization.along.lanes import choose_lanes
-from scegen.concretization.along.parked import cast_doors, hang_doors
+from scegen.concretization.along.parked import cast_doors, hang_doors, is_one_way
 from scegen.concretization.along.runner import FORTH_M, FORTH_MPS, Runner
 from scegen.concretization.along.sideways import put_on_strips
 from scegen.concretization.along.story import Story
@@ -45,17 +45,21 @@ def cast(story: Story) -> None:
     ridden = {p.strip for p in story.functional.participants if p.strip and not p.parked}
     for assignment in story.logical.assignments:
         participant = story.functional.participant(assignment.participant)
-        if isinstance(assignment, Crossing) or (
+        if isinstance(assignment, Crossing):
+            continue
+        parked = (
             isinstance(assignment, Standing)
             and not (assignment.in_lane or participant.kind in ON_FOOT)
             and participant.strip not in ridden
-        ):
-            continue  # it goes across, or is parked beside the lanes
-        _cast(story, assignment, participant)
+        )
+        among = story.parked if parked else story.runners
+        among[participant.id] = _cast(story, assignment, participant, parked=parked)
     _speeds(story)
 
 
-def _cast(story: Story, assignment: Drive | Walking | Standing, participant: Participant) -> None:
+def _cast(
+    story: Story, assignment: Drive | Walking | Standing, participant: Participant, *, parked: bool
+) -> Runner:
     arm, keeps = story.ego_arm, story.functional.junction.driving_side.value
     if isinstance(assignment, Drive):
         forward = assignment.entry == arm
@@ -63,13 +67,15 @@ def _cast(story: Story, assignment: Drive | Walking | Standing, participant: Par
         forward = (assignment.arm == arm) == (assignment.heading is Heading.INWARD)
     else:
         forward = (assignment.arm == arm) == (assignment.side.value == keeps)
-    beside = not isinstance(assignment, Drive) and not assignment.in_lane
+        forward |= parked and is_one_way(story)
+    beside = not isinstance(assignment, Drive) and not (assignment.in_lane or parked)
     lane = -1 if assignment.lane is None else assignment.lane
     name, kind, body = participant.id, participant.kind, participant.body
-    runner = story.add(name, kind, body, lane, forward=forward)
+    runner = story.made(name, kind, body, lane, forward=forward)
     if beside:
         # Seen in its own direction, the edge is to the kerb's side if it goes with the traffic.
         runner.offset_m = outward(story.functional, Side.LEFT) * _EDGE_M
+    return runner
 
 
 def _speeds(story: Story) -> None:
@@ -215,4 +221,5 @@ def _lay_things(story: Story) -> None:
     for thing in (*(t for t in said if t.id not in known), *(thing for _, thing in needed)):
         story.things[thing.id] = thing
         body, forward = shape_of(thing).body, story.runners[thing.in_way_of or ""].forward
-        story.add(thing.id, ParticipantKind.CAR, body, forward=forward, thing=True)
+        made = story.made(thing.id, ParticipantKind.CAR, body, forward=forward, thing=True)
+        story.runners[thing.id] = made

@@ -5,13 +5,7 @@ from __future__ import annotations
 from math import hypot
 
 from scegen.concretization.along.frame import Frame
-from scegen.concretization.along.parked import (
-    Parked,
-    beside_outermost,
-    endangered,
-    is_one_way,
-    opening_s,
-)
+from scegen.concretization.along.parked import endangered, opening_s
 from scegen.concretization.along.runner import FORTH_M, Runner
 from scegen.concretization.along.story import Story
 from scegen.concretization.others import Walk
@@ -35,7 +29,6 @@ from scegen.scenario.concrete import (
     Trigger,
     door_of,
 )
-from scegen.scenario.logical import Standing
 from scegen.scenario.reversing import MOST_BACK_M, BacksUp
 from scegen.scenario.vocabulary import ParticipantKind
 
@@ -143,22 +136,17 @@ def written_walk(
     return written(story, walk.id, motion, program=program)
 
 
-def written_parked(story: Story, frame: Frame, parked: Parked) -> ConcreteParticipant:
-    """One who is parked: its box's middle lies where the story has it."""
-    standing: Standing = parked.standing
-    body = parked.body
-    away = frame.from_junction_m(standing.arm, parked.x_m)
-    # It heads the way of the traffic beside it; its reference point lies behind its middle.
-    with_ego = beside_outermost(story, standing) or is_one_way(story)
-    towards = with_ego == (standing.arm == frame.ego_arm)
-    away += body.centre_ahead_m if towards else -body.centre_ahead_m
+def written_parked(story: Story, frame: Frame, name: str) -> ConcreteParticipant:
+    """One who is parked."""
+    standing = story.standing(name)
+    away = frame.from_junction_m(standing.arm, story.parked[name].x_m(0.0))
     motion = StandingMotion(
         arm=standing.arm,
         side=standing.side,
-        from_junction_m=round(max(0.0, away), 3),
-        strip=story.functional.participant(parked.id).strip,
+        from_junction_m=round(away, 3),
+        strip=story.functional.participant(name).strip,
     )
-    return written(story, parked.id, motion, parked=True)
+    return written(story, name, motion, parked=True)
 
 
 def written_door(story: Story, act: Act, vehicle: ConcreteParticipant) -> ConcreteParticipant:
