@@ -35,7 +35,7 @@ def change_length_m(
     draft: DriveDraft, seconds: float = LANE_CHANGE_S, width_m: float = LANE_WIDTH_M
 ) -> float:
     """How long a move to the side is that takes so many seconds, or as many as grip asks for."""
-    return max(_LEAST_M, draft.cruise_mps * max(seconds, gripped_s(width_m, draft.grip_mps2)))
+    return max(_LEAST_M, draft.speed_mps * max(seconds, gripped_s(width_m, draft.grip_mps2)))
 
 
 def over_by_m(*drafts: DriveDraft) -> float:
@@ -132,7 +132,7 @@ def close_before(
     closing = other.course.speed_at(there_m) - draft.course.speed_at(place_m)
     if closing < _MUCH_FASTER_MPS:
         headway = float(scene.rng.uniform(*CUT_IN_HEADWAY_S))
-        gap = headway * other.cruise_mps
+        gap = headway * other.speed_mps
         reason = f"comes into its lane {headway:.2f} s ahead"
     else:
         gap = _GAP_M + closing**2 / (2 * LATE_BRAKING_MPS2)

@@ -151,7 +151,7 @@ def _draft(scene: Setup, drive: Drive) -> DriveDraft:
         kind=participant.kind,
         body=participant.body,
         drive=drive,
-        cruise_mps=cruise,
+        speed_mps=cruise,
         lateral_mps2=FAST_LATERAL_MPS2 if fast else LATERAL_MPS2,
         grip_mps2=scene.grip_mps2,
         waits_s=waits_s,

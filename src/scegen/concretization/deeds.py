@@ -102,7 +102,7 @@ def stand_in_line(scene: Setup) -> None:
                 comes_to = draft.laid.path_s_m(back.from_m - back.length_m) - behind
                 touches = scene.contact_wanted(other.id, draft.id)
                 place = comes_to + _QUEUE_GAP_M + (_INTO_M if touches else -_INTO_M)
-        begins = place - draft.cruise_mps**2 / (2 * _STANDS_MPS2)
+        begins = place - draft.speed_mps**2 / (2 * _STANDS_MPS2)
         draft.steps = [SpeedChange(0.0, _STANDS_MPS2, s_m=begins, sort=Sort.ACT)]
 
 
@@ -128,7 +128,7 @@ def lead_in_missing_s(scene: Setup) -> float:
 
 def marks_of(scene: Setup, draft: DriveDraft) -> Iterator[SpeedChange]:
     """The marks of one's acts, the first of each chain at place 0."""
-    before = draft.cruise_mps
+    before = draft.speed_mps
     pulls_out = draft.parked_s_m is not None
     usual = scene.driven_mps(draft.id, before) if pulls_out else before
     own: set[str] = set()
@@ -186,7 +186,7 @@ def _turning_mps(scene: Setup, draft: DriveDraft) -> float:
     said = scene.functional.participant(draft.id).maneuvers
     slows = (m for m in draft.road_changes() if m.sort is Sort.SLOWS)
     turns = draft.drive.turn in said and draft.drive.turn is not Maneuver.STRAIGHT
-    return next((m.target_mps for m in slows), _TURNS_AT * draft.cruise_mps) if turns else 0.0
+    return next((m.target_mps for m in slows), _TURNS_AT * draft.speed_mps) if turns else 0.0
 
 
 def _stops_at_light(scene: Setup, draft: DriveDraft) -> bool:
@@ -222,7 +222,7 @@ def _place(scene: Setup, draft: DriveDraft) -> None:
     """
     free = {act.id for act in scene.acts if goes_on_when_free(act.when)}
     until = takewhile(lambda mark: mark.act not in free, draft.steps)
-    way = _way_m(draft.cruise_mps, until)
+    way = _way_m(draft.speed_mps, until)
     first = draft.steps[0]
     place = first.s_m
     into = scene.act(first.act).into if first.act else None
@@ -231,15 +231,15 @@ def _place(scene: Setup, draft: DriveDraft) -> None:
     is_free = first.act is None or is_open(scene, first)
     if at_line or (is_free and _stops_at_light(scene, draft)):
         line = draft.stop_line_s_m - draft.body.front_m - _BEFORE_LINE_M
-        place = line - _way_m(draft.cruise_mps, [first])
+        place = line - _way_m(draft.speed_mps, [first])
     elif lets_by is not None:
-        place = lets_by[0] - _way_m(draft.cruise_mps, [first])
+        place = lets_by[0] - _way_m(draft.speed_mps, [first])
     elif is_open(scene, first):
         kind = first.hazard or HazardKind.HARD_BRAKING
         act = scene.act(first.act or "").kind
         late = _LATE if kind is HazardKind.DELAYED_BRAKING else 1.0
         place = happens_s_m(scene, draft, kind, act) - late * way
-    least = draft.body.rear_m + LEAD_IN_S * draft.cruise_mps
+    least = draft.body.rear_m + LEAD_IN_S * draft.speed_mps
     require_room(draft.id, place, least, 5.0)
     later = [
         replace(mark, s_m=place + way) if is_open(scene, mark) else mark for mark in draft.steps[1:]

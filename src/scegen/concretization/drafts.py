@@ -38,7 +38,7 @@ _SHORT_M = 1.0
 class DriveDraft:
     """A vehicle's drive in the making.
 
-    ``cruise_mps`` is its speed away from turns, ``joins_mps`` after them where that is faster;
+    ``speed_mps`` is its speed away from turns, ``joins_mps`` after them where that is faster;
     ``marks`` what dangers add to its program, ``steps`` what the text says that it does; ``laid``
     and ``course`` its way and its timeline from the outer end of the entry arm; ``start_m`` where
     on that path it starts at time 0. It keeps ``offset_m`` to its own left of the middle of its
@@ -56,7 +56,7 @@ class DriveDraft:
     kind: ParticipantKind
     body: Body
     drive: Drive
-    cruise_mps: float
+    speed_mps: float
     entry_lane: int = 1
     exit_lane: int = 1
     ring_lane: int | None = None
@@ -90,11 +90,6 @@ class DriveDraft:
         """The same for speeding up."""
         return min(wanted_mps2, self.body.max_acceleration_mps2, self.grip_mps2)
 
-    @property
-    def speed_mps(self) -> float:
-        """Its speed before all that it does."""
-        return self.cruise_mps
-
     def timing(self) -> Callable[[SpeedChange, float], SpeedChange]:
         """What puts a step where it is at a moment, as it drives now."""
         course, late_s = self.course, self.offset_s
@@ -122,7 +117,7 @@ class DriveDraft:
     @property
     def course(self) -> Course:
         """When it is where if it starts at the outer end of its entry arm."""
-        first_mps = CREEP_MPS if self.backs_out else self.cruise_mps
+        first_mps = CREEP_MPS if self.backs_out else self.speed_mps
         return course_of(tuple(self.speed_changes()), first_mps, self.path.length_m)
 
     @property
@@ -215,7 +210,7 @@ class DriveDraft:
 
     def hold(self, mark: SpeedChange, holds_s: float) -> None:
         """Add a mark of a danger; held for so long, the speed in force there is resumed."""
-        speed = self.cruise_mps
+        speed = self.speed_mps
         for each in self.road_changes():
             if each.s_m <= mark.s_m:
                 speed = (each.then or each).target_mps
@@ -227,14 +222,14 @@ class DriveDraft:
         """Slowing down for bends and at stop lines (red, a sign), and speeding up after them.
 
         The comfortable speed in a bend is sqrt(lateral acceleration * radius) of the lane driven;
-        from the first to the last bend that is too narrow for ``cruise_mps`` the least of these is
+        from the first to the last bend that is too narrow for ``speed_mps`` the least of these is
         kept.
         """
         lateral = min(self.lateral_mps2, _SIDEWAYS * self.grip_mps2)
         faster = self.acceleration_mps2(COMFORTABLE_ACCELERATION_MPS2)
         limits = [(begin, end, sqrt(lateral * radius)) for begin, end, radius in self.laid.bends]
-        bends = [limit for limit in limits if limit[2] < self.cruise_mps * _WORTH_IT]
-        speed = min((limit for _, _, limit in bends), default=self.cruise_mps)
+        bends = [limit for limit in limits if limit[2] < self.speed_mps * _WORTH_IT]
+        speed = min((limit for _, _, limit in bends), default=self.speed_mps)
         marks: list[SpeedChange] = []
         if self.stops_at_line or self.waits_s is not None:
             stands_s = STOPS_FOR_S if self.waits_s is None else self.waits_s
@@ -243,7 +238,7 @@ class DriveDraft:
         elif bends:
             marks.append(self._slow_before(bends[0][0], speed))
         if bends:
-            on_mps = max(self.cruise_mps, self.joins_mps)
+            on_mps = max(self.speed_mps, self.joins_mps)
             marks.append(SpeedChange(on_mps, faster, s_m=bends[-1][1], sort=Sort.FREES))
         return marks
 
@@ -251,7 +246,7 @@ class DriveDraft:
         self, s_m: float, to_mps: float, then: SpeedChange | None = None
     ) -> SpeedChange:
         rate, by_m = min(COMFORTABLE_BRAKING_MPS2, self.grip_mps2), s_m - _SHORT_M
-        begins_m = max(0.0, by_m - (self.cruise_mps**2 - to_mps**2) / (2 * rate))
+        begins_m = max(0.0, by_m - (self.speed_mps**2 - to_mps**2) / (2 * rate))
         return SpeedChange(to_mps, rate, s_m=begins_m, sort=Sort.SLOWS, then=then, by_m=by_m)
 
     def speed_changes(self) -> list[SpeedChange]:

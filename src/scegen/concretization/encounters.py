@@ -77,16 +77,16 @@ def join_traffic(scene: Setup) -> None:
     for draft in scene.drives.values():
         for other in steady if not scene.has_said_speed(draft.id) else ():
             if draft.drive.exit == other.drive.exit and not same_arm(draft, other):
-                draft.joins_mps = min(other.cruise_mps, BODIES[draft.kind].top_speed_mps)
+                draft.joins_mps = min(other.speed_mps, BODIES[draft.kind].top_speed_mps)
 
 
 def _gains_speed_s(scene: Setup, draft: DriveDraft, other: DriveDraft, s_m: float) -> float:
     """How much later another comes to who joins its road there, so as not to drive into it."""
-    slower = max(other.cruise_mps - draft.course.speed_at(s_m), 0.0)
-    joins = draft.drive.exit == other.drive.exit and draft.joins_mps >= other.cruise_mps
+    slower = max(other.speed_mps - draft.course.speed_at(s_m), 0.0)
+    joins = draft.drive.exit == other.drive.exit and draft.joins_mps >= other.speed_mps
     way_m = slower**2 / (2 * COMFORTABLE_ACCELERATION_MPS2) + draft.body.length_m
     apart = joins and not scene.contact_wanted(draft.id, other.id)
-    return way_m / other.cruise_mps if apart else 0.0
+    return way_m / other.speed_mps if apart else 0.0
 
 
 def event_s_m(scene: Setup, draft: DriveDraft, hazard: Hazard) -> float:
@@ -135,7 +135,7 @@ def happens_s_m(scene: Setup, draft: DriveDraft, kind: HazardKind, act: ActKind)
     hazard = Hazard(kind=kind, by=(draft.id,), to=about[0] if about else ())
     place = event_s_m(scene, draft, hazard)
     if act in GAINING:
-        return place - _BEFORE_S * draft.cruise_mps
+        return place - _BEFORE_S * draft.speed_mps
     walkers = stops_for_walkers(scene, draft)
     if walkers is not None:
         return walkers[0]
@@ -199,7 +199,7 @@ def _ordinary(scene: Setup, involved: set[frozenset[str]], named: set[str]) -> l
         priority = DANGER if collide else BYSTANDER if bystander else ORDINARY
         lag = PASSING_LAG_S if bystander else 0.0
         if draft.id in hit_by:  # it has come to rest by then
-            lag = scene.ego.cruise_mps / (2 * COMFORTABLE_BRAKING_MPS2) + HOLDS_S
+            lag = scene.ego.speed_mps / (2 * COMFORTABLE_BRAKING_MPS2) + HOLDS_S
         point = drives_meet(scene.ego, draft)
         if point is not None and point.opposed:
             continue  # an overtaker in the oncoming lane: nobody said that it is met there
@@ -239,7 +239,7 @@ def _close(
     if hazard.kind is HazardKind.TAILGATING:
         headway_s = sum(TAILGATING_HEADWAY_S) / 2
         if not scene.has_said_speed(follow.id):
-            follow.cruise_mps = lead.cruise_mps
+            follow.speed_mps = lead.speed_mps
     bodies = lead.body.rear_m + follow.body.front_m
     return Meeting(priority, lead.id, follow.id, place, place - bodies, headway_s, reason)
 

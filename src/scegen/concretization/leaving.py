@@ -163,7 +163,7 @@ def _out_and_back(
     usual = ABRUPT_LANE_CHANGE_S
     if kind is HazardKind.ONCOMING_LANE:
         draft.entry_lane, aside, width = min(scene.entry_lanes(draft)), 0, 0.0
-        act, stays_m = None, _STAYS_ASTRAY_S * draft.cruise_mps
+        act, stays_m = None, _STAYS_ASTRAY_S * draft.speed_mps
         if not scene.kinds_by(draft.id) & {*SWERVING, HazardKind.SUDDEN_TURN}:
             usual = LANE_CHANGE_S
     elif width:
@@ -240,11 +240,11 @@ def _pass(
     Raises:
         NeedsLongerArms: the arm is too short for it.
     """
-    slower = passer.cruise_mps / _FASTER
-    if passed.cruise_mps > slower:
-        before = passed.cruise_mps
+    slower = passer.speed_mps / _FASTER
+    if passed.speed_mps > slower:
+        before = passed.speed_mps
         scene.note(f"{passed.id}.speed_mps", slower, f"is overtaken by {passer.id}", before)
-        passed.cruise_mps = slower
+        passed.speed_mps = slower
     strays = HazardKind.ONCOMING_LANE in scene.kinds_by(passer.id)
     if strays:
         passed.take_lane(scene.network, min(scene.entry_lanes(passed)))
@@ -253,7 +253,7 @@ def _pass(
         passer.entry_lane = passed.entry_lane
     aside = neighbour_lane(scene, passer, oncoming=strays or scene.lanes_in(passer) == 1)
     back = passer.entry_lane in lanes and (comes_back or aside not in lanes)
-    per_m = passer.cruise_mps / max(passer.cruise_mps - passed.cruise_mps, 1.0)
+    per_m = passer.speed_mps / max(passer.speed_mps - passed.speed_mps, 1.0)
     half = (passer.body.length_m + passed.body.length_m) / 2
     before, after = per_m * (half + BEHIND_M), per_m * (half + AHEAD_M)
     ends, change = over_by_m(passer, passed), change_length_m(passer)

@@ -248,7 +248,7 @@ def _draft(scene: Setup, stand: StandDraft) -> DriveDraft:
             turn=Maneuver.STRAIGHT,
             maneuver=Maneuver.STRAIGHT,
         ),
-        cruise_mps=min(_SHARE * scene.limit_mps, stand.body.top_speed_mps),
+        speed_mps=min(_SHARE * scene.limit_mps, stand.body.top_speed_mps),
         entry_lane=strip_number(road, STANDING, inbound=True),
         exit_lane=route.exit_lane,
         ring_lane=route.ring_lane,

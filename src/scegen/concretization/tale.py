@@ -8,9 +8,10 @@ from dataclasses import dataclass, field
 from scegen.concretization.profile import SpeedChange
 from scegen.enumeration.ranges import speed_range
 from scegen.motion.friction import GRAVITY_MPS2, friction_of
-from scegen.scenario.acts import Act, ActKind, AfterAct
+from scegen.scenario.acts import GAINING, LEAVING, SLOWING, Act, ActKind, AfterAct
 from scegen.scenario.concrete import Change
 from scegen.scenario.functional import FunctionalScenario, Hazard
+from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
 from scegen.scenario.in_line import words_between
 from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.outcome import OutcomeKind
@@ -25,31 +26,8 @@ SIDEWAYS = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
 SWERVING = frozenset({HazardKind.SWERVING, HazardKind.LOSS_OF_CONTROL})
 """The dangers of those who leave their lane and come back."""
 _ROUNDING_MPS = 1e-3
-_HAZARDS_OF = {
-    ActKind.BRAKE: (
-        HazardKind.HARD_BRAKING,
-        HazardKind.STOPPING,
-        HazardKind.LOSS_OF_CONTROL,
-        HazardKind.DELAYED_BRAKING,
-    ),
-    ActKind.STOP: (HazardKind.HARD_BRAKING, HazardKind.STOPPING),
-    ActKind.ACCELERATE: (HazardKind.SUDDEN_ACCELERATION,),
-    ActKind.CHANGE_LANE: (
-        HazardKind.CUT_IN,
-        HazardKind.MERGING_CONFLICT,
-        HazardKind.FAILURE_TO_YIELD,
-        HazardKind.ONCOMING_LANE,
-        HazardKind.SUDDEN_TURN,
-    ),
-    ActKind.SWERVE: (
-        HazardKind.SWERVING,
-        HazardKind.LOSS_OF_CONTROL,
-        HazardKind.ONCOMING_LANE,
-        HazardKind.SUDDEN_TURN,
-    ),
-    ActKind.OVERTAKE: (HazardKind.OVERTAKING, HazardKind.ONCOMING_LANE),
-}
-"""The dangers that an act may be."""
+_ALIKE = (SLOWING, GAINING, LEAVING | {ActKind.TURN})
+"""What is told by one of these may be a danger that consists of another."""
 
 
 def changes_before_turning(functional: FunctionalScenario, drive: Drive) -> bool:
@@ -165,9 +143,12 @@ class Tale:
         return 0.5 if percent is None else percent.middle / 100
 
     def hazard_of(self, act: Act) -> HazardKind | None:
-        """The danger that an act is, if it is one."""
-        kinds = self.kinds_by(act.participant)
-        return next((kind for kind in _HAZARDS_OF.get(act.kind, ()) if kind in kinds), None)
+        """The danger that an act is, if it is one: rather one that consists of just such an act."""
+        alike = next((kinds for kinds in _ALIKE if act.kind in kinds), frozenset())
+        beside = FROM_BESIDE if act.kind is ActKind.CHANGE_LANE else frozenset()
+        own = (h.kind for h in self.functional.hazards if act.participant in h.by)
+        found = [kind for kind in own if kind in beside or alike & {*HAZARDS[kind].acts}]
+        return min(found, key=lambda kind: act.kind not in HAZARDS[kind].acts, default=None)
 
     def contact_wanted(self, first: str, second: str) -> bool:
         """Whether the text says that these two touch."""

@@ -221,7 +221,7 @@ def _met_at(draft: DriveDraft, walk: WalkDraft, point: MeetingPoint) -> tuple[fl
     line_s, middle_m, turn = crossing_at(draft.path, walk.path, point)
     middle_m -= walk.body.centre_ahead_m
     to_left = 1 if sin(turn) > 0 else -1
-    return line_s, Met(draft.id, draft.body, draft.cruise_mps, middle_m, to_left)
+    return line_s, Met(draft.id, draft.body, draft.speed_mps, middle_m, to_left)
 
 
 def _by_the_road(scene: Setup, walk: WalkDraft) -> bool:
