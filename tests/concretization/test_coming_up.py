@@ -6,7 +6,7 @@ import shapely
 from told import first, told, who
 
 from scegen.motion import build_paths, simulate
-from scegen.report.corners import box_corners
+from scegen.motion.footprints import box_corners
 from scegen.road import build_network
 
 

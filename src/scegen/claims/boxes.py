@@ -10,6 +10,7 @@ from scegen.claims.series import greatest
 from scegen.claims.view import View
 from scegen.measures.contact import first_touches
 from scegen.motion.batch.arrays import COS, SIN, Bools, Floats, Ints, X, Y
+from scegen.scenario.bodies import Body
 from scegen.scenario.vocabulary import Side
 
 _HALVINGS = 5
@@ -55,7 +56,7 @@ def boxes(view: View, name: str) -> Boxes:
 
     def make() -> Boxes:
         track = view.laid[:, view.index[name]]
-        return _box(view, name, *(track[:, row] for row in (X, Y, COS, SIN)))
+        return around(view.body(name), *(track[:, row] for row in (X, Y, COS, SIN)))
 
     return view.once(("boxes", name), make)
 
@@ -65,12 +66,11 @@ def box_at(view: View, name: str, step: Ints | int) -> Boxes:
     rows = np.arange(view.count)
     at = np.minimum(np.maximum(step, 0), view.steps - 1)
     track = view.laid[rows, view.index[name], :, at]
-    return _box(view, name, *(track[:, row] for row in (X, Y, COS, SIN)))
+    return around(view.body(name), *(track[:, row] for row in (X, Y, COS, SIN)))
 
 
-def _box(view: View, name: str, x: Floats, y: Floats, cos: Floats, sin: Floats) -> Boxes:
-    """The box around a reference point."""
-    body = view.body(name)
+def around(body: Body, x: Floats, y: Floats, cos: Floats, sin: Floats) -> Boxes:
+    """The boxes of a body around its reference points."""
     ahead = body.centre_ahead_m
     half_length, half_width = body.length_m / 2, body.width_m / 2
     return Boxes(x + ahead * cos, y + ahead * sin, cos, sin, half_length, half_width)

@@ -10,9 +10,9 @@ from math import hypot
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 
-from scegen.claims.boxes import Boxes, free, gap_m, same_way, seen
+from scegen.claims.boxes import Boxes, around, free, gap_m, same_way, seen
+from scegen.motion.footprints import swept
 from scegen.motion.model import Array, Path
 from scegen.motion.standing import object_path
 from scegen.road.geometry import Pose
@@ -50,26 +50,22 @@ def missing_m(
     return gap - value * np.where(follows, closing, -closing)
 
 
-def box_at(x_m: Array, y_m: Array, heading_rad: Array, body: Body, beyond_m: Array) -> Boxes:
-    """Boxes whose reference points are ``beyond_m`` ahead of places, (n,) or of any one shape."""
-    cos, sin = np.cos(heading_rad), np.sin(heading_rad)
-    ahead = body.centre_ahead_m + beyond_m
-    half = body.length_m / 2, body.width_m / 2
-    return Boxes(x_m + ahead * cos, y_m + ahead * sin, cos, sin, *half)
+def box_at(x_m: Array, y_m: Array, heading_rad: Array, body: Body) -> Boxes:
+    """Boxes whose reference points are at places, (n,) or of any one shape."""
+    return around(body, x_m, y_m, np.cos(heading_rad), np.sin(heading_rad))
 
 
 def box_on(path: Path, body: Body, s_m: Array) -> Boxes:
     """Boxes of a body whose reference point is at places of a path, or on its prolongation."""
-    rows = (np.interp(s_m, path.s_m, row) for row in (path.x_m, path.y_m, path.heading_rad))
+    x, y, heading = path.places(s_m)
     beyond = np.minimum(s_m, 0.0) + np.maximum(s_m - path.length_m, 0.0)
-    x, y, heading = rows
-    return box_at(x, y, heading, body, beyond)
+    return box_at(x + beyond * np.cos(heading), y + beyond * np.sin(heading), heading, body)
 
 
 def box_of(pose: Pose, body: Body) -> Boxes:
     """The box of a body whose reference point is at a pose, (1,)."""
     x, y, heading = (np.array([v]) for v in (pose.x_m, pose.y_m, pose.heading_rad))
-    return box_at(x, y, heading, body, np.zeros(1))
+    return box_at(x, y, heading, body)
 
 
 def apart(a: Boxes, b: Boxes, within_m: float) -> Array:
@@ -111,23 +107,8 @@ def taken_ground(
         # All along its way: in bends the corners of a body go wide.
         s = np.linspace(0.0, path.length_m, int(path.length_m / _SAMPLE_M) + 1)
         away_m = _OFF_THE_WAY_M if len(path.s_m) > 1 else _OFF_THE_ROAD_M
-        parts.append(shapely.union_all(outlines(box_on(path, body, s))).buffer(away_m))
+        parts.append(swept(path, body, s).buffer(away_m))
     return shapely.union_all(parts)
-
-
-def corners(boxes: Boxes) -> Array:
-    """The corners of boxes, (n, 4, 2)."""
-    along = np.array([1, 1, -1, -1]) * boxes.half_length
-    left = np.array([1, -1, -1, 1]) * boxes.half_width
-    c, s = boxes.cos[:, None], boxes.sin[:, None]
-    x, y = boxes.x[:, None], boxes.y[:, None]
-    return np.stack((x + along * c - left * s, y + along * s + left * c), axis=-1)
-
-
-def outlines(boxes: Boxes) -> NDArray[np.object_]:
-    """The outlines of boxes, (n,)."""
-    found: NDArray[np.object_] = shapely.polygons(corners(boxes))
-    return found
 
 
 def _carriageway(road: Road) -> shapely.Geometry:

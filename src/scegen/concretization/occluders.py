@@ -13,10 +13,8 @@ from itertools import product
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 
-from scegen.claims.boxes import Boxes
-from scegen.concretization.boxes import box_at, corners, outlines, taken_ground
+from scegen.concretization.boxes import box_at, taken_ground
 from scegen.concretization.things import (
     SCREEN,
     Shape,
@@ -26,7 +24,9 @@ from scegen.concretization.things import (
     made_of,
     shape_of,
 )
+from scegen.measures.occlusion import hidden_behind
 from scegen.motion.batch.playing import play
+from scegen.motion.footprints import box_corners
 from scegen.motion.model import Array, Trace
 from scegen.motion.paths import build_paths
 from scegen.road.geometry import Pose
@@ -112,7 +112,7 @@ def _hide(
         for name in group:
             drives = isinstance(concrete.participant(name).motion, DriveMotion)
             sized = replace(shape, length_m=_LONG_M) if shape.long and drives else shape
-            found = _best_place(traces[observer], traces[name], concrete, sized, ground)
+            found = _best_place(traces[observer], traces[name], sized, ground)
             if found is not None and (best is None or found[0] > best[0]):
                 best = found[0], name, made_of(thing.id, sized, thing.called, found[1])
         if best is not None:
@@ -155,40 +155,29 @@ def _hidden_ones(concrete: ConcreteScenario, observer: str, thing: Thing) -> lis
 
 
 def _best_place(
-    observer: Trace,
-    target: Trace,
-    concrete: ConcreteScenario,
-    thing: Shape,
-    ground: shapely.Geometry,
+    observer: Trace, target: Trace, thing: Shape, ground: shapely.Geometry
 ) -> tuple[float, Pose] | None:
     """(worth, pose) of the best place; None if none hides the target long enough."""
-    eye, points = _points(concrete, observer)[0], _points(concrete, target)
-    mark = points[0]
-    nearest = int(np.hypot(*(eye - mark)).argmin())
-    x, y, heading, _ = places = _places(eye, mark, observer, target, thing, nearest)
+    seer, seen = (box_at(t.x_m, t.y_m, t.heading_rad, t.body) for t in (observer, target))
+    eye, mark = np.array(seer[:4]), np.array(seen[:4])
+    nearest = int(np.hypot(*(eye - mark)[:2]).argmin())
+    x, y, heading, _ = places = _places(eye[:2], mark[:2], observer, target, thing, nearest)
     shapely.prepare(ground)
-    tried = box_at(x, y, heading, thing.body, np.zeros(1))
-    x, y, heading, worth = places[:, ~shapely.intersects(ground, outlines(tried))]
+    tried = shapely.polygons(box_corners(thing.body, x, y, heading))
+    x, y, heading, worth = places[:, ~shapely.intersects(ground, tried)]
     if not worth.size:
         return None
-    boxes = box_at(x, y, heading, thing.body, np.zeros(1))
+    boxes = box_at(x, y, heading, thing.body)
     first = max(0, nearest - round(_LOOK_S / _STEP_S))
-    hidden = np.ones((len(boxes.x), nearest - first), dtype=np.bool_)
-    for point in points:
-        hidden &= _cut(boxes, eye[:, first:nearest], point[:, first:nearest])
+    eye, mark = (row[:, first:nearest].copy() for row in (eye, mark))
+    half = np.array([*seen[4:], *boxes[4:]])
+    hidden = hidden_behind(eye, mark, np.array(boxes[:4]), half)
     before_s = (nearest - np.arange(first, nearest)) * _STEP_S
     worth = (hidden * np.exp(-before_s / _FADES_S)).sum(axis=1) * worth
     worth[hidden.sum(axis=1) * _STEP_S < _LEAST_S] = 0.0
     n = int(worth.argmax())
     pose = Pose(float(x[n]), float(y[n]), float(heading[n]))
     return (float(worth[n]), pose) if worth[n] > 0.0 else None
-
-
-def _points(concrete: ConcreteScenario, trace: Trace) -> list[Array]:
-    """The middle and the corners of a body over time, (2, t) each."""
-    body = concrete.participant(trace.participant).body
-    box = box_at(trace.x_m, trace.y_m, trace.heading_rad, body, np.zeros(1))
-    return [np.array([box.x, box.y]), *corners(box).transpose(1, 2, 0)]
 
 
 def _places(
@@ -224,19 +213,3 @@ def _places(
     c, s = np.cos(heading), np.sin(heading)
     x, y = x + along * c - aside * s, y + along * s + aside * c
     return np.array([values.T.ravel() for values in (x, y, heading, worth)])
-
-
-def _cut(boxes: Boxes, eye: Array, point: Array) -> NDArray[np.bool_]:
-    """Whether each box cuts the straight line between two points, (place, t)."""
-    x, y, c, s = (row[:, None] for row in boxes[:4])
-    low, high = np.zeros((len(c), eye.shape[1])), np.ones((len(c), eye.shape[1]))
-    ax, ay, bx, by = eye[0] - x, eye[1] - y, point[0] - x, point[1] - y
-    sides = (
-        (ax * c + ay * s, bx * c + by * s, boxes.half_length),
-        (ay * c - ax * s, by * c - bx * s, boxes.half_width),
-    )
-    for start, end, half in sides:
-        step = np.where(np.abs(end - start) < 1e-9, 1e-9, end - start)
-        one, two = (-half - start) / step, (half - start) / step
-        low, high = np.maximum(low, np.minimum(one, two)), np.minimum(high, np.maximum(one, two))
-    return low <= high

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from scegen.claims.boxes import Boxes
+from scegen.claims.boxes import Boxes, around
 from scegen.concretization.limits import WALKING_START_MPS2
 from scegen.concretization.profile import Profile
 from scegen.concretization.written import Comes, as_they_come
@@ -179,8 +179,7 @@ class Walk(Walker):
         way, speed = self.gone(times_s - self.sets_off_s)
         into = -1.0 if self.from_left else 1.0
         x, cos, sin = (np.full_like(way, value) for value in (self.x_m, 0.0, into))
-        y = self.from_y_m + into * (way + self.body.centre_ahead_m)
-        return Boxes(x, y, cos, sin, self.body.length_m / 2, self.body.width_m / 2), speed
+        return around(self.body, x, self.from_y_m + into * way, cos, sin), speed
 
 
 @dataclass

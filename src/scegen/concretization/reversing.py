@@ -11,8 +11,6 @@ from collections.abc import Iterator
 from dataclasses import replace
 from math import copysign, hypot, sin
 
-import numpy as np
-
 from scegen.concretization.amounts import change_of_speed
 from scegen.concretization.backing import (
     back_out,
@@ -143,11 +141,11 @@ def _braked_for(draft: DriveDraft, other: DriveDraft) -> Meeting:
     """The one is so far when the other has to brake."""
     (s, *own), (its, *theirs) = sampled(draft.path), sampled(other.path)
     begins_s, ends_s = draft.path.backwards[0]
-    back, still = (s >= begins_s) & (s <= ends_s), np.zeros(1)
+    back = (s >= begins_s) & (s <= ends_s)
     x, y, heading = (row[back, None] for row in own)
     x2, y2, heading2 = theirs
-    mine = box_at(x, y, heading, draft.body, still)
-    meets = apart(mine, box_at(x2, y2, heading2, other.body, still), 0.0) < 0.0
+    mine = box_at(x, y, heading, draft.body)
+    meets = apart(mine, box_at(x2, y2, heading2, other.body), 0.0) < 0.0
     if not meets.any():
         raise MotionInfeasibleError(
             f"does not come into the way of {other.id} where it reverses", where=draft.id

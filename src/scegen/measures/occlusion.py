@@ -78,6 +78,23 @@ def hidden_at(tracks: Floats, bodies: Floats, occlusion: Ints, t: int) -> bool:
 
 
 @kernel
+def hidden_behind(observer: Floats, target: Floats, things: Floats, half: Floats) -> Bools:
+    """Whether each of some things that stand hides a target: [thing, time].
+
+    All are centres and directions (x, y, cosine, sine; time or thing), m; ``half`` the length and
+    width of target and things from the centre, m.
+    """
+    out = np.empty((things.shape[1], target.shape[1]), dtype=np.bool_)
+    for n in range(out.shape[0]):
+        thing = Box(things[0, n], things[1, n], things[2, n], things[3, n], half[2], half[3])
+        for t in range(out.shape[1]):
+            eye = Box(observer[0, t], observer[1, t], observer[2, t], observer[3, t], 0.0, 0.0)
+            x, y, cos, sin = target[0, t], target[1, t], target[2, t], target[3, t]
+            out[n, t] = hidden(eye, Box(x, y, cos, sin, half[0], half[1]), thing)
+    return out
+
+
+@kernel
 def occlusion_times(
     tracks: Floats, bodies: Floats, occlusion: Ints, dt_s: float
 ) -> tuple[float, float]:

@@ -6,8 +6,9 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from scegen.motion.footprints import box_corners
 from scegen.motion.model import Array, Trace
-from scegen.report.corners import box_corners, corners_at
+from scegen.report.corners import corners_at
 from scegen.report.drawing import Style, area, box, circle, element
 from scegen.report.theme import Theme
 from scegen.report.world import placed

@@ -14,7 +14,7 @@ from math import pi
 
 import numpy as np
 
-from scegen.claims.boxes import Boxes
+from scegen.claims.boxes import Boxes, around
 from scegen.concretization.profile import Profile, SpeedChange
 from scegen.motion.model import Array
 from scegen.scenario.bodies import Body
@@ -138,8 +138,7 @@ class Runner:
         turned = np.where(speed > _TURNS_MPS, aside / np.maximum(speed, _TURNS_MPS), 0.0)
         sin = np.clip(-turned if self.backs else turned, -_MOST_TURNED, _MOST_TURNED)
         cos = self.sign * np.sqrt(1.0 - sin * sin)
-        ahead, half = self.body.centre_ahead_m, self.body.length_m / 2
-        return Boxes(x + ahead * cos, y + ahead * sin, cos, sin, half, self.body.width_m / 2), speed
+        return around(self.body, x, y, cos, sin), speed
 
     def x_m(self, time_s: float) -> float:
         """Where its reference point is."""

@@ -18,10 +18,10 @@ from scegen.measures.post_encroachment import post_encroachment_time, time_of_re
 from scegen.measures.tables import Tables, build_tables
 from scegen.measures.time_to_collision import time_to_collision_series
 from scegen.motion.batch import BatchTraces, stack_scenario
+from scegen.motion.footprints import swept
 from scegen.motion.friction import friction_of
 from scegen.motion.model import Path, Trace
 from scegen.motion.standing import object_paths
-from scegen.report.corners import box_corners
 from scegen.report.player.series import Data, compact, points
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario
@@ -142,7 +142,7 @@ class Meetings:
         s = np.linspace(low_m, high_m, 2 + ceil((high_m - low_m) / _ALONG_M))
         if body is None:
             return shapely.Point(path.x_m[0], path.y_m[0])
-        return shapely.union_all(shapely.polygons(box_corners(body, *path.places(s))))
+        return swept(path, body, s)
 
     def _spell(self, one: int, enter_m: float, leave_m: float) -> list[float] | None:
         """From when to when somebody is on common ground; None: never."""
