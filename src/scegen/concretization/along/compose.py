@@ -150,7 +150,6 @@ def compose_along(
     story = story_of(functional, logical)
     story.seed = seed
     lay(story)
-    _stay_on_their_side(story)
     park(story)
     closest = closest_s(story, max(ends_s(story), passes_s(story)))
     lasts = min(closest + _AFTER_S, _LONGEST_S)
@@ -160,23 +159,6 @@ def compose_along(
     network = build_network(parameters)
     made = _written(story, frame, parameters, network, lasts)
     return hide(story.functional, made, network)
-
-
-def _stay_on_their_side(story: Story) -> None:
-    """Nobody changes between the lanes of the two directions where they are parted.
-
-    Raises:
-        MotionInfeasibleError: somebody would have to.
-    """
-    for runner in story.runners.values():
-        lanes = {runner.lane, *(move.lane for move in runner.moves)}
-        if story.innermost and 0 in lanes and len(lanes) > 1:
-            raise MotionInfeasibleError(
-                "would have to use the lanes of the other direction, which this road "
-                f"({story.functional.junction.carriageway.value}) keeps apart",
-                where=runner.id,
-                hint="Give the road more lanes per direction, or let it be undivided.",
-            )
 
 
 def _written(
