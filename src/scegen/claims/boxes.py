@@ -11,6 +11,7 @@ from scegen.claims.view import View
 from scegen.measures.contact import first_touches
 from scegen.motion.batch.arrays import COS, SIN, Bools, Floats, Ints, X, Y
 from scegen.scenario.bodies import Body
+from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Side
 
 _HALVINGS = 5
@@ -119,6 +120,23 @@ def gap_m(frame: Boxes, other: Boxes) -> Floats:
     """Free length along the frame's heading; negative where the two are level."""
     clear = free(frame, other)
     return np.maximum(clear.front, clear.rear)
+
+
+def counting_mps(
+    measure: Measure, own: tuple[Boxes, Floats], other: tuple[Boxes, Floats]
+) -> Floats:
+    """The speed by which the free length between two makes a headway, or a time to collision.
+
+    Both with their speeds (m/s). Of two in one direction that of the one behind counts, or how much
+    faster it is; of two who come towards each other the own one, or both.
+    """
+    (frame, speed), (box, others) = own, other
+    along = same_way(frame, box)
+    follows = (seen(frame, box).x > 0.0) | (along < 0.0)
+    if measure is Measure.HEADWAY_S:
+        return np.where(follows, speed, others)
+    closing = speed - others * along
+    return np.where(follows, closing, -closing)
 
 
 def free_width_m(frame: Boxes, other: Boxes) -> Floats:

@@ -14,13 +14,22 @@ from scegen.concretization.limits import (
 )
 from scegen.concretization.profile import Sort, SpeedChange
 from scegen.concretization.tale import Tale
-from scegen.scenario.acts import GAINING, LETS_BY, SLOWING, Act, ActKind, AfterAct, AfterStart, When
+from scegen.scenario.acts import (
+    GAINING,
+    LEAVING,
+    LETS_BY,
+    SLOWING,
+    Act,
+    ActKind,
+    AfterAct,
+    AfterStart,
+    When,
+)
 from scegen.scenario.bodies import Body
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import HazardKind, Side
 
 OUT_AND_BACK = frozenset({ActKind.SWERVE, ActKind.OVERTAKE})
-ASIDE = OUT_AND_BACK | {ActKind.CHANGE_LANE}
 BRAKING = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING})
 """The dangers that the braking of who comes up behind somebody may be."""
 CLOSEST_M = 0.65
@@ -131,7 +140,7 @@ def _goes_on(tale: Tale, act: Act) -> bool:
     """``brakes and then changes lanes``: it does not stop."""
     later = tale.acts[tale.acts.index(act) + 1 :] if act in tale.acts else ()
     own = [each.kind for each in later if each.participant == act.participant]
-    return bool(own) and own[0] in ASIDE | GAINING - {ActKind.SET_OFF}
+    return bool(own) and own[0] in LEAVING | GAINING - {ActKind.SET_OFF}
 
 
 def _target_mps(

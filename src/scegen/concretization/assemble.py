@@ -7,6 +7,7 @@ from itertools import combinations
 
 import numpy as np
 
+from scegen.claims.ways import Way, paths_of, ways_of
 from scegen.concretization.boxes import overlap
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import LONGEST_DURATION_S, MAX_DURATION_S
@@ -19,7 +20,6 @@ from scegen.concretization.written import as_they_come, written, written_phase, 
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.batch.playing import play
 from scegen.motion.model import STANDING_MPS, Path, Trace
-from scegen.motion.paths import build_path
 from scegen.motion.trigger_steps import put_between_steps
 from scegen.scenario.concrete import (
     ConcreteParticipant,
@@ -30,7 +30,7 @@ from scegen.scenario.concrete import (
 )
 from scegen.scenario.vocabulary import HazardKind
 
-_INTO_EXIT_M = 20.0
+_INTO_EXIT_M, _SHORT_M = 20.0, 1e-3
 _AFTER_S, _AFTER_REST_S = 1.0, 2.5
 _NEAR_M, _CLOSING_MPS = 40.0, 0.5
 _SOONER_S = 0.1
@@ -51,12 +51,13 @@ def assemble(scene: Setup, seed: int) -> ConcreteScenario:
         scene, scene.road, people, scene.objects, scene.hazards,
         seed=seed, duration_s=MAX_DURATION_S, signals=scene.signals,
     )  # fmt: skip
-    paths = {p.id: build_path(p.motion, p.body, scene.network, p.id) for p in concrete.participants}
+    ways = ways_of(concrete, scene.network)
+    paths = paths_of(ways)
     require_apart(concrete, paths)
     for lasts_s in (MAX_DURATION_S, LONGEST_DURATION_S):
         traces = play(concrete.model_copy(update={"duration_s": lasts_s}), paths)
         _check_turns(traces, paths)
-        duration = _duration_s(scene, traces, paths)
+        duration = _duration_s(scene, traces, ways)
         if duration is not None:
             return put_between_steps(concrete.model_copy(update={"duration_s": duration}), paths)
     raise MotionInfeasibleError(
@@ -146,15 +147,15 @@ def _check_turns(traces: Mapping[str, Trace], paths: Mapping[str, Path]) -> None
                 )
 
 
-def _duration_s(
-    scene: Setup, traces: Mapping[str, Trace], paths: Mapping[str, Path]
-) -> float | None:
+def _duration_s(scene: Setup, traces: Mapping[str, Trace], ways: Mapping[str, Way]) -> float | None:
     """Until everybody has left the junction and everything has happened; None if never."""
     ends: dict[str, float] = {}
     for name, trace in traces.items():
-        goal = _goal_m(scene, name, paths[name])
-        stays = name in scene.drives and scene.drives[name].stays
-        rests = trace.speed_mps < STANDING_MPS
+        way, rests = ways[name], trace.speed_mps < STANDING_MPS
+        goal = way.goal_m
+        if scene.network.plain and name in scene.drives:
+            goal = max(goal, min(way.turn_end_m + _INTO_EXIT_M, way.path.length_m - _SHORT_M))
+        stays = way.halts or bool(rests.all())
         if stays:
             # Who is to stand in the end has done all it does once it moves no more.
             done = np.flatnonzero(np.logical_and.accumulate(rests[::-1])[::-1])
@@ -167,7 +168,7 @@ def _duration_s(
     duration = _until_past(scene, traces, max(ends.values()) + _AFTER_S)
     for name in scene.drives:
         trace = traces[name]
-        stopped = trace.s_m >= paths[name].length_m - 1e-6
+        stopped = trace.s_m >= ways[name].path.length_m - 1e-6
         if stopped.any():
             early = duration + _SOONER_S - float(trace.time_s[stopped.argmax()])
             if early > 0:
@@ -188,19 +189,3 @@ def _until_past(scene: Setup, traces: Mapping[str, Trace], duration_s: float) ->
             past = steps[closing <= 0.0]
             lasts += [float(own.time_s[step]) + _AFTER_REST_S for step in past[:1]]
     return max(lasts)
-
-
-def _goal_m(scene: Setup, name: str, path: Path) -> float:
-    """How far somebody must come."""
-    if name in scene.drives:
-        draft = scene.drives[name]
-        places = [draft.exit_s_m + _INTO_EXIT_M]
-        places += [
-            draft.laid.path_s_m(change.position_m + change.length_m) + 5.0
-            for change in draft.lane_changes
-        ]
-        places += [ends_m + 10.0 for _, ends_m in draft.path.backwards]
-        return min(max(places), draft.path.length_m) - draft.start_m - 1e-6
-    if name in scene.walks:
-        return max(0.0, path.length_m - 0.5)
-    return 0.0

@@ -11,7 +11,7 @@ from math import hypot
 import numpy as np
 import shapely
 
-from scegen.claims.boxes import Boxes, around, free, gap_m, same_way, seen
+from scegen.claims.boxes import Boxes, around, counting_mps, free, gap_m
 from scegen.motion.footprints import swept
 from scegen.motion.model import Array, Path
 from scegen.motion.standing import object_path
@@ -30,24 +30,12 @@ _TRAVELLED = frozenset({LaneType.DRIVING, LaneType.PARKING})
 def missing_m(
     measure: Measure, value: float, own: tuple[Boxes, Array], other: tuple[Boxes, Array]
 ) -> Array:
-    """How much longer the free length between two is than a measure says (n,), m.
+    """How much longer the free length between two is than a measure along the road says (n,), m.
 
-    Args:
-        measure: one along the road.
-        value: in its unit.
-        own: boxes and speeds (m/s) of the one whose speed counts if they come towards each other.
-        other: those of the other; of two in one direction the speed of the one behind counts.
+    Both with their boxes and speeds (see ``counting_mps``), the value in its unit.
     """
-    (frame, speed), (box, others) = own, other
-    gap = gap_m(frame, box)
-    if measure is Measure.GAP_M:
-        return gap - value
-    along = same_way(frame, box)
-    follows = (seen(frame, box).x > 0.0) | (along < 0.0)
-    if measure is Measure.HEADWAY_S:
-        return gap - value * np.where(follows, speed, others)
-    closing = speed - others * along
-    return gap - value * np.where(follows, closing, -closing)
+    gap = gap_m(own[0], other[0])
+    return gap - value * (1.0 if measure is Measure.GAP_M else counting_mps(measure, own, other))
 
 
 def box_at(x_m: Array, y_m: Array, heading_rad: Array, body: Body) -> Boxes:

@@ -139,6 +139,7 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
 def _draft(scene: Setup, drive: Drive) -> DriveDraft:
     participant = scene.functional.participant(drive.participant)
     others = {each.participant for each in scene.logical.drives}
+    wait = scene.first_act(participant.id, ActKind.WAIT)
     cruise = _cruise_speed_mps(scene, participant, drive.entry)
     at_red = stands_at_red(participant)
     waits_s = STOOD_S if at_red else WAITS_S if participant.light is AtLight.WAITS else None
@@ -159,10 +160,7 @@ def _draft(scene: Setup, drive: Drive) -> DriveDraft:
             participant.id in must_stop(scene.functional, scene.logical)
             and not scene.runs_into_standing(participant.id)
         )
-        or any(
-            act.kind is ActKind.WAIT and act.participant == participant.id and act.into in others
-            for act in scene.functional.acts
-        ),
+        or (wait is not None and wait.into in others),
     )
 
 

@@ -180,12 +180,6 @@ class DriveDraft:
         return self.drive.maneuver is Maneuver.STAY
 
     @property
-    def stays(self) -> bool:
-        """Whether it comes to rest in the end."""
-        phases = self.course.phases
-        return bool(phases) and phases[-1].target_mps == 0.0
-
-    @property
     def start_s(self) -> float:
         """When it starts, on the clock of its course."""
         return 0.0 if self.backs_out else max(0.0, -self.offset_s)

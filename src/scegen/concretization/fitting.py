@@ -136,6 +136,6 @@ def _mistimed(scene: Setup, act: Act, known: set[str]) -> Iterator[float]:
 
 def conditioned(scene: Setup, name: str) -> bool:
     """Whether the text says when somebody who crosses sets off."""
-    crosses = [a for a in scene.acts if a.participant == name and a.kind is ActKind.CROSS]
     named = {spacing.at for spacing in scene.functional.spacings}
+    crosses = scene.acts_of(name, {ActKind.CROSS})
     return any(act.when is not None or act.id in named for act in crosses)

@@ -62,12 +62,7 @@ def sampled(path: Path) -> tuple[Array, Array, Array, Array]:
     """s, x, y and heading about every metre."""
     count = max(2, int(path.length_m / _SAMPLE_M) + 1)
     s = np.linspace(0.0, path.length_m, count)
-    return (
-        s,
-        np.interp(s, path.s_m, path.x_m),
-        np.interp(s, path.s_m, path.y_m),
-        np.interp(s, path.s_m, path.heading_rad),
-    )
+    return s, *path.places(s)
 
 
 class Way(Protocol):
@@ -120,7 +115,7 @@ def before_front_m(
     Before one that bends its nose points elsewhere than its way goes.
     """
     s = np.arange(max(0.0, near.first_s_m - 2 * reach_m), near.first_s_m, _STEP_M)
-    x, y, heading = (np.interp(s, first.s_m, v) for v in (first.x_m, first.y_m, first.heading_rad))
+    x, y, heading = first.places(s)
     middle = crossing_at(first, second, near)
     way, to_left = middle[1], 1 if sin(middle[2]) > 0 else -1
     for _ in range(_AGAIN):

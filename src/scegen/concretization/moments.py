@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 
 from scegen.claims.boxes import Boxes
-from scegen.concretization.amounts import ASIDE, OUT_AND_BACK
+from scegen.concretization.amounts import OUT_AND_BACK
 from scegen.concretization.boxes import box_on, missing_m
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.setup import Setup
@@ -16,7 +16,7 @@ from scegen.concretization.walkers import leaves_s
 from scegen.motion.model import Array
 from scegen.motion.standing import object_path
 from scegen.motion.trigger_steps import STEP_S
-from scegen.scenario.acts import Act, ActKind, WhenMeasure
+from scegen.scenario.acts import LEAVING, Act, ActKind, WhenMeasure
 from scegen.scenario.spacings import Spacing
 
 _GONE_M = 0.1
@@ -36,7 +36,7 @@ def during_s(scene: Setup, act: Act) -> tuple[float, float]:
         return 0.0, 0.0
     draft = scene.drives[name]
     course, late = draft.course, draft.offset_s
-    if act.kind in ASIDE:
+    if act.kind in LEAVING:
         out_m, back_m = _aside_m(scene, draft, act)
         return late + course.time_at(out_m), late + course.time_at(back_m)
     phase = course.phase_of(act.id)
@@ -51,7 +51,7 @@ def during_s(scene: Setup, act: Act) -> tuple[float, float]:
 def _aside_m(scene: Setup, draft: DriveDraft, act: Act) -> tuple[float, float]:
     """From where to where on its path somebody moves to the side by an act."""
     changes = list(draft.lane_changes)
-    own = [a for a in scene.acts if a.participant == draft.id and a.kind in ASIDE]
+    own = scene.acts_of(draft.id, LEAVING)
     for earlier in own[: own.index(act)]:
         changes = changes[2 if earlier.kind in OUT_AND_BACK else 1 :] or changes[-1:]
     if not changes:

@@ -174,7 +174,7 @@ def patient_ones(
         for draft in scene.drives.values()
         if draft.id not in told
         and _is_free(draft)
-        and not any(act.participant == draft.id for act in scene.acts)
+        and not scene.acts_of(draft.id)
         and (scene.road.control in _SIGNED or not scene.has_said_speed(draft.id))
     )
 

@@ -151,10 +151,6 @@ class Setup(Tale):
         """Number of lanes towards the junction on a drive's entry arm."""
         return self.road.arms[draft.drive.entry].lanes_in
 
-    def speed_acts(self, name: str) -> list[Act]:
-        """The changes of speed that the text tells of somebody, in order."""
-        return [a for a in self.acts if a.participant == name and a.kind in SLOWING | GAINING]
-
     def sets_off(self, name: str) -> bool:
         """Whether the first that one does is to set off: it stands until then."""
         return any(act.kind is ActKind.SET_OFF for act in self.speed_acts(name)[:1])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 
 from scegen.concretization.profile import SpeedChange
@@ -171,10 +171,18 @@ class Tale:
             return all(other.id != when.act for other in self.acts)
         return when is None
 
-    def first_act(self, name: str, kind: ActKind) -> Act | None:
-        """The first act of somebody that is of a kind."""
+    def acts_of(self, name: str, kinds: Collection[ActKind] = frozenset(ActKind)) -> list[Act]:
+        """What somebody does, in order: all, or what is of some kinds."""
+        return [act for act in self.acts if act.participant == name and act.kind in kinds]
+
+    def speed_acts(self, name: str) -> list[Act]:
+        """The changes of speed that the text tells of somebody, in order."""
+        return self.acts_of(name, SLOWING | GAINING)
+
+    def first_act(self, name: str, *kinds: ActKind) -> Act | None:
+        """The first act that the text tells of somebody that is of some kinds."""
         own = (act for act in self.functional.acts if act.participant == name)
-        return next((act for act in own if act.kind is kind), None)
+        return next((act for act in own if act.kind in kinds), None)
 
     def rests_at(self, act: str | None) -> Spacing | None:
         """How far from another one is said to be once an act has brought it to rest."""

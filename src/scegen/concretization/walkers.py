@@ -20,7 +20,7 @@ from scegen.concretization.tale import Tale, pace_of
 from scegen.concretization.things import caused_by_nobody
 from scegen.motion.standing import heads_for_junction
 from scegen.road.cross_section import CARRIAGEWAY, KERBED, half_width_m
-from scegen.scenario.acts import RESTING, Act, ActKind, BeforeJunction
+from scegen.scenario.acts import RESTING, SLOWING, Act, ActKind, BeforeJunction
 from scegen.scenario.bodies import Body
 from scegen.scenario.functional import Participant
 from scegen.scenario.logical import Crossing
@@ -60,12 +60,10 @@ class Met(NamedTuple):
 
 def pace_mps(tale: Tale, participant: Participant, width_m: float) -> float:
     """How fast somebody goes across a road that is so wide: as is said, else as is usual."""
-    own = (a for a in tale.functional.acts if a.participant == participant.id)
-    lasts = (a.duration_s for a in own if a.kind is ActKind.CROSS and a.duration_s is not None)
-    lasts_s = next(lasts, None)
-    if participant.speed_mps is not None or lasts_s is None:
+    act = tale.first_act(participant.id, ActKind.CROSS)
+    if participant.speed_mps is not None or act is None or act.duration_s is None:
         return pace_of(tale.functional, tale.logical, participant.id).default
-    return width_m / max(lasts_s.middle, 0.1)
+    return width_m / max(act.duration_s.middle, 0.1)
 
 
 def goes_far_m(act: Act | None) -> float | None:
@@ -80,8 +78,7 @@ def stops(tale: Tale, name: str) -> bool:
 
 def stop_of(tale: Tale, name: str) -> Act | None:
     """The act by which it does: for a while, or for good."""
-    own = (act for act in tale.functional.acts if act.participant == name)
-    return next((act for act in own if act.kind in RESTING), None)
+    return tale.first_act(name, *RESTING)
 
 
 def rests_m(tale: Tale, walk: Walker, met: Met, *, centre_m: float) -> float:
@@ -118,8 +115,8 @@ def setback_m(tale: Tale, walk: Walker, strip_m: float) -> float:
 
 def brakes(tale: Tale, name: str) -> bool:
     """Whether one who meets somebody on foot is said to brake for it."""
-    acts = {a.kind for a in tale.acts if a.participant == name and tale.is_loose(a.id)}
-    return bool(tale.kinds_by(name) & _BRAKES or acts & {ActKind.BRAKE, ActKind.STOP})
+    acts = [act for act in tale.acts_of(name, SLOWING) if tale.is_loose(act.id)]
+    return bool(tale.kinds_by(name) & _BRAKES or acts)
 
 
 def aim_m(tale: Tale, walk: Walker, met: Met) -> float:

@@ -14,6 +14,7 @@ from scegen.claims.boxes import (
     box_at,
     boxes,
     contact,
+    counting_mps,
     free,
     free_width_m,
     gap_m,
@@ -179,12 +180,10 @@ def measure_at(
         gap = np.where(along > 0.0, there, gap)
     if measure is Measure.GAP_M:
         return gap
-    follows = (seen(frame, box).x > 0.0) | (along < 0.0)
     speed, others = (at(view.speed_mps(name), step) for name in (own, other))
-    if measure is Measure.HEADWAY_S:
-        return gap / np.maximum(np.where(follows, speed, others), _LEAST_MPS)
-    closing = np.where(follows, speed - others * along, others * along - speed)
-    return np.where(closing > _LEAST_MPS, gap / np.maximum(closing, _LEAST_MPS), np.inf)
+    counts = counting_mps(measure, (frame, speed), (box, others))
+    time = gap / np.maximum(counts, _LEAST_MPS)
+    return np.where((counts > _LEAST_MPS) | (measure is Measure.HEADWAY_S), time, np.inf)
 
 
 def measured(measure: Measure, frame: Boxes, box: Boxes, side: Side | None) -> Floats:

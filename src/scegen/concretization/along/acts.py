@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from scegen.concretization.along.story import Story
-from scegen.concretization.amounts import ASIDE, implied, spelled_out
-from scegen.scenario.acts import GAINING, SLOWING, Act, ActKind, AfterAct
+from scegen.concretization.amounts import implied, spelled_out
+from scegen.scenario.acts import GAINING, LEAVING, SLOWING, Act, ActKind, AfterAct
 from scegen.scenario.functional import Hazard
 from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
 from scegen.scenario.logical import Drive
@@ -15,7 +15,7 @@ from scegen.scenario.vocabulary import ON_FOOT, HazardKind, Maneuver
 
 ROLLS_S = 2.0
 """How long one who has stood drives before it moves aside: nobody does so on the spot."""
-_ALONG = SLOWING | GAINING | ASIDE | {ActKind.OPEN_DOOR}
+_ALONG = SLOWING | GAINING | LEAVING | {ActKind.OPEN_DOOR}
 _OF_THE_DRIVER = frozenset({HazardKind.DELAYED_BRAKING})
 """Who brakes late answers somebody: it is a reaction, no act of its own."""
 
@@ -43,7 +43,7 @@ def all_acts(story: Story) -> list[Act]:
 def _out_of_its_bay(story: Story, name: str, acts: list[Act]) -> list[Act]:
     """Who stands in a bay beside the lanes sets off, rolls a little and moves into the lane."""
     own = [act for act in acts if act.participant == name]
-    aside = next((act for act in own if act.kind in ASIDE), None)
+    aside = next((act for act in own if act.kind in LEAVING), None)
     on = next((act for act in own if act.kind is ActKind.SET_OFF), None)
     if on is None:
         on = implied("on", name, name, ActKind.SET_OFF)
@@ -66,7 +66,7 @@ def _from_rest(acts: list[Act]) -> Iterator[Act]:
             target = act.target_speed_mps
             if act.kind is ActKind.STOP or (target is not None and target.high == 0.0):
                 rests[act.participant] = act
-        elif act.kind in ASIDE and stopped is not None:
+        elif act.kind in LEAVING and stopped is not None:
             rolls = Interval(low=ROLLS_S, high=ROLLS_S)
             on = implied("on", stopped.id, act.participant, ActKind.SET_OFF)
             later = AfterAct(act=stopped.id, since="end")
@@ -109,7 +109,7 @@ def _place_of(implied: Act, acts: list[Act]) -> int:
         for n, act in enumerate(acts)
         if (act.participant, act.kind) == (implied.participant, ActKind.STOP)
     )
-    return next(stops, len(acts)) if implied.kind in ASIDE else len(acts)
+    return next(stops, len(acts)) if implied.kind in LEAVING else len(acts)
 
 
 def does(acts: list[Act], name: str, kinds: frozenset[ActKind]) -> bool:
@@ -131,18 +131,18 @@ def _implied(story: Story, hazard: Hazard, acts: list[Act]) -> Iterator[Act]:
         joins = hazard.kind in FROM_BESIDE
         for kind in (ActKind.CHANGE_LANE,) if joins else HAZARDS[hazard.kind].acts:
             kind = ActKind.SWERVE if kind is ActKind.TURN else kind  # noqa: PLW2901
-            alike = next((s for s in (SLOWING, ASIDE) if kind in s), frozenset({kind}))
+            alike = next((s for s in (SLOWING, LEAVING) if kind in s), frozenset({kind}))
             own = does(acts, by, alike)
             stands = runners[by].stands or runners[by].speed_mps == 0.0
             answers = by == story.ego.id and kind in SLOWING and len(runners) > 1
             if kind in _ALONG and not own and not stands and not answers:
                 into = next((to for to in hazard.to if to in runners and to != by), None)
-                yield implied(hazard.kind, by, by, kind, into=into if kind in ASIDE else None)
+                yield implied(hazard.kind, by, by, kind, into=into if kind in LEAVING else None)
 
 
 def _manoeuvre(story: Story, drive: Drive, acts: list[Act]) -> Iterator[Act]:
     name = drive.participant
-    if name not in story.runners or does(acts, name, ASIDE):
+    if name not in story.runners or does(acts, name, LEAVING):
         return
     if drive.maneuver is Maneuver.LANE_CHANGE:
         yield implied("change", name, name, ActKind.CHANGE_LANE, side=drive.changes_to)

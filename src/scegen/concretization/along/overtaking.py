@@ -181,7 +181,7 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
         fast, slow, (out_lane, offset), (begins, usual), fixed=act.when is not None
     )
     told = story.functional.participant(fast.id).speed_mps is not None
-    told &= not any(a.participant == foremost.id and a.kind in GAINING for a in story.acts)
+    told &= not story.acts_of(foremost.id, GAINING)
     if fast.speed_mps - foremost.speed_mps < (_HARDLY_MPS if told else _FASTER_MPS / 2):
         top = min(foremost.speed_mps + _FASTER_MPS, fast.body.top_speed_mps)
         begins = story.begins_s[act.id]

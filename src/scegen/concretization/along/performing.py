@@ -12,14 +12,14 @@ from scegen.concretization.along.frame import GAINS_MPS2, LOSES_MPS2, ON_RAMP_S,
 from scegen.concretization.along.parked import door_before, opening_s
 from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.story import FIRST_ACT_S, Story
-from scegen.concretization.amounts import ASIDE, change_of_speed, goes_on_when_free, lasting_s
+from scegen.concretization.amounts import change_of_speed, goes_on_when_free, lasting_s
 from scegen.concretization.boxes import missing_m
 from scegen.concretization.limits import ABRUPT_LANE_CHANGE_S, HOLDS_S, LANE_CHANGE_S, REACTION_S
 from scegen.concretization.profile import NEVER_S, SpeedChange
 from scegen.concretization.tale import outward, pace_of
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import (
-    GAINING,
+    LEAVING,
     SLOWING,
     Act,
     ActKind,
@@ -108,8 +108,7 @@ def _moment_s(story: Story, act: Act, *, placed: bool) -> float:
             at_once = when.delay_s is not None and when.delay_s.high == 0.0
             delay = _AT_ONCE_S if at_once else HOLDS_S
         return known[when.act] + delay
-    own = [story.ends_s[a.id] for a in story.acts if a.participant == act.participant
-           and a.id in story.ends_s]  # fmt: skip
+    own = [story.ends_s[a.id] for a in story.acts_of(act.participant) if a.id in story.ends_s]
     if own:
         return max(own) + HOLDS_S
     door = door_before(story, act.participant)
@@ -119,7 +118,7 @@ def _moment_s(story: Story, act: Act, *, placed: bool) -> float:
     first_s = FIRST_ACT_S + (ON_RAMP_S if act.participant in by_ramp else 0.0)
     told = [a for a in story.acts[: story.acts.index(act)] if a.id in story.begins_s]
     # Who goes aside for one that comes into its lane does so when that one is there.
-    gives_way = act.kind in ASIDE
+    gives_way = act.kind in LEAVING
     comes = [story.ends_s[a.id] for a in told if gives_way and a.into == act.participant]
     return max([first_s, *(story.begins_s[a.id] for a in told), *comes])
 
@@ -174,9 +173,7 @@ def _on_the_ramp(story: Story, runner: Runner, moves: list[Move]) -> list[SpeedC
     If nothing else is said of its speed.
     """
     functional = story.functional
-    if runner.steps or any(
-        a.participant == runner.id and a.kind in SLOWING | GAINING for a in story.acts
-    ):
+    if runner.steps or story.speed_acts(runner.id):
         return []
     if runner.id in story.merging:
         others = (r for r in story.runners.values() if r.forward and r is not runner)
@@ -264,8 +261,7 @@ def _in_lane(story: Story, move: Move) -> Move:
 
 def _lane_after(story: Story, act: Act, runner: Runner, now: int) -> int:
     """Who takes the exit gets there with its last change of lane, across those in between."""
-    changes = [a for a in story.acts if a.participant == runner.id and a.kind is act.kind]
-    if runner.id in story.exiting and act is changes[-1]:
+    if runner.id in story.exiting and act is story.acts_of(runner.id, {act.kind})[-1]:
         return story.lane_count + 1
     into = story.runners.get(act.into or "")
     if into is not None:

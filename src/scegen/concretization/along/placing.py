@@ -252,7 +252,7 @@ def _closing_in(
     story: Story, front: Runner, back: Runner, wider: float
 ) -> tuple[Measure, float, float]:
     """How far behind a slower one somebody starts: in time to pass it, where that is said."""
-    own = (a for a in story.acts if a.participant == back.id and a.when is not None)
+    own = (a for a in story.acts_of(back.id) if a.when is not None)
     moments = (story.begins_s[a.id] for a in own if story.goes_round(a) and a.id in story.begins_s)
     for passes_s in moments:
         return Measure.TTC_S, LANE_CHANGE_S * wider, passes_s

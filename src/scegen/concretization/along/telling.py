@@ -125,7 +125,7 @@ def _closing(functional: FunctionalScenario) -> Iterator[tuple[str, str]]:
 
 def _begins_with(story: Story, name: str, kind: ActKind) -> Act | None:
     """The first thing that somebody does, if it is of a kind."""
-    first = next((act for act in story.functional.acts if act.participant == name), None)
+    first = story.first_act(name, *ActKind)
     return first if first is not None and first.kind is kind else None
 
 
