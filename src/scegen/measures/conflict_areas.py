@@ -104,17 +104,10 @@ def _sample(path: Path, body: Body, spacing: float) -> _Sampled:
 
 
 def _at(path: Path, body: Body, s: Floats) -> _Sampled:
-    heading = np.interp(s, path.s_m, path.heading_rad)
+    x, y, heading = path.places(s)
     cos, sin = np.cos(heading), np.sin(heading)
-    return _Sampled(
-        s,
-        np.interp(s, path.s_m, path.x_m) + body.ahead_m * cos,
-        np.interp(s, path.s_m, path.y_m) + body.ahead_m * sin,
-        cos,
-        sin,
-        body.half_length_m,
-        body.half_width_m,
-    )
+    x, y = x + body.ahead_m * cos, y + body.ahead_m * sin
+    return _Sampled(s, x, y, cos, sin, body.half_length_m, body.half_width_m)
 
 
 def _cut(boxes: _Sampled, part: slice) -> _Sampled:

@@ -70,13 +70,11 @@ def rear_stations(follower: Path, leader: Path, own: Body, other: Body) -> Float
     if follower.length_m == 0.0:
         return np.full(rows, nan)
     at = np.minimum(np.arange(rows) * SPACING_M, leader.length_m)
-    heading = np.interp(at, leader.s_m, leader.heading_rad)
-    x = np.interp(at, leader.s_m, leader.x_m) + other.ahead_m * np.cos(heading)
-    y = np.interp(at, leader.s_m, leader.y_m) + other.ahead_m * np.sin(heading)
+    x, y, heading = leader.places(at)
+    x, y = x + other.ahead_m * np.cos(heading), y + other.ahead_m * np.sin(heading)
 
     s = np.linspace(0.0, follower.length_m, int(np.ceil(follower.length_m / 0.25)) + 1)
-    way = np.interp(s, follower.s_m, follower.heading_rad)
-    fx, fy = np.interp(s, follower.s_m, follower.x_m), np.interp(s, follower.s_m, follower.y_m)
+    fx, fy, way = follower.places(s)
     step_m = follower.length_m / max(len(s) - 1, 1)
     # Whoever is farther from the path than this is not in its corridor.
     reach = np.hypot(

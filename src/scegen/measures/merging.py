@@ -24,10 +24,7 @@ def merge_point(
     A position near 0 says that the path begins on the other: following, no merge.
     """
     second_s = np.linspace(s_second[0], s_second[-1], 4 * len(s_second))
-    one, two = (
-        Way(s, *(np.interp(s, path.s_m, of) for of in (path.x_m, path.y_m, path.heading_rad)))
-        for path, s in ((first, s_first), (second, second_s))
-    )
+    one, two = Way(s_first, *first.places(s_first)), Way(second_s, *second.places(second_s))
     begins, nearest = _merge(one, two)
     return (float(s_first[begins]), float(second_s[nearest])) if begins >= 0 else None
 

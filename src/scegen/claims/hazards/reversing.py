@@ -59,11 +59,10 @@ def _into_the_way(view: View, by: str, to: str, place_m: Floats) -> tuple[Bools,
 
 def _from_way(path: Path, s: Floats, rear_m: float, other: Path) -> tuple[Floats, Floats]:
     """Distance of its tail from another's way at places of its own, and where on that way (m)."""
-    heading = np.interp(s, path.s_m, path.heading_rad)
-    x = np.interp(s, path.s_m, path.x_m) - rear_m * np.cos(heading)
-    y = np.interp(s, path.s_m, path.y_m) - rear_m * np.sin(heading)
+    x, y, heading = path.places(s)
+    x, y = x - rear_m * np.cos(heading), y - rear_m * np.sin(heading)
     t = np.linspace(0.0, other.length_m, max(2, int(other.length_m / _SAMPLE_M) + 1))
-    ox, oy = np.interp(t, other.s_m, other.x_m), np.interp(t, other.s_m, other.y_m)
+    ox, oy, _ = other.places(t)
     gaps = np.hypot(x[:, None] - ox, y[:, None] - oy)
     nearest = gaps.argmin(axis=1)
     return gaps[np.arange(len(s)), nearest], t[nearest]

@@ -217,9 +217,8 @@ def _lay_things(story: Story) -> None:
     for hazard, thing in needed:
         if not hazard.by:
             story.blame(thing, hazard)
-    known = {thing.id for _, thing in needed}
-    for thing in (*(t for t in said if t.id not in known), *(thing for _, thing in needed)):
-        story.things[thing.id] = thing
+    story.things = {thing.id: thing for thing in (*said, *(thing for _, thing in needed))}
+    for thing in story.things.values():
         body, forward = shape_of(thing).body, story.runners[thing.in_way_of or ""].forward
         made = story.made(thing.id, ParticipantKind.CAR, body, forward=forward, thing=True)
         story.runners[thing.id] = made
