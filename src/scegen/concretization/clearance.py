@@ -24,8 +24,6 @@ _STEP_M, _ASIDE_M, _NEAR_M = 2.0, 2.0, 1.0
 _BEYOND_M = 100.0
 """Farther behind the junction whoever comes up with another brakes for it."""
 
-Placed = tuple[DriveDraft, float]
-
 
 class Line(NamedTuple):
     """A line that two drive along, by places of the one and of the other.
@@ -49,11 +47,11 @@ class Differences:
 
     begins_s: float
 
-    def touch(self, one: Placed, two: Placed, room_s: float) -> bool:
-        """Whether two so late ever touch, or come so near in time."""
+    def touch(self, one: DriveDraft, two: DriveDraft, room_s: float) -> bool:
+        """Whether two as late as they are ever touch, or come so near in time."""
         # What is known of two is kept in one order only.
-        (first, first_s), (second, second_s) = (one, two) if one[0].id < two[0].id else (two, one)
-        courses = first.course, second.course
+        first, second = (one, two) if one.id < two.id else (two, one)
+        first_s, second_s = first.offset_s, second.offset_s
         if any(
             first_s + shared.enter_m < second_s + shared.other_leaves_m + room_s
             and second_s + shared.other_enters_m < first_s + shared.leave_m + room_s
@@ -62,16 +60,16 @@ class Differences:
             return True
         for line in _lines(first, second):
             # The one behind starts somewhere on the line; what lies before that is nothing to it.
-            here = _index(line.one_m, courses[0].s_at(self.begins_s - first_s))
-            there = _index(line.other_m, courses[1].s_at(self.begins_s - second_s))
+            here = _index(line.one_m, first.course.s_at(self.begins_s - first_s))
+            there = _index(line.other_m, second.course.s_at(self.begins_s - second_s))
             later_s = second_s - first_s
             if later_s < line.later_s[there] + room_s and -later_s < line.earlier_s[here] + room_s:
                 return True
         return False
 
-    def touches(self, one: Placed, others: Iterable[Placed], room_s: float) -> bool:
-        """Whether a drive with this offset touches any of the others."""
-        return any(self.touch(one, two, room_s) for two in others if two[0] is not one[0])
+    def touches(self, one: DriveDraft, others: Iterable[DriveDraft], room_s: float) -> bool:
+        """Whether a drive touches any of the others."""
+        return any(self.touch(one, two, room_s) for two in others if two is not one)
 
 
 def same_lane(first: DriveDraft, second: DriveDraft) -> bool:

@@ -32,38 +32,37 @@ _STEP_S = 0.5
 LONGEST_S = 40.0
 
 
-def arrange(
-    scene: Setup, meetings: Sequence[Meeting], differences: Differences
-) -> dict[str, float]:
-    """The offset of every drive against the ego's timeline (s), on which all begin at a time."""
-    offsets = {scene.ego.id: 0.0}
+def arrange(scene: Setup, meetings: Sequence[Meeting], differences: Differences) -> None:
+    """Fix how late every drive is on the ego's timeline, on which all begin at a time."""
+    scene.ego.offset_s = 0.0
+    placed = [scene.ego]
     ordered = sorted(meetings, key=lambda m: m.priority)
     dangers = [m for m in ordered if m.priority < ORDINARY]
-    while (place := _met(scene, dangers, offsets)) is not None:
-        offsets[place.draft.id] = clear_offset(place, offsets, differences)
+    while (place := _met(scene, dangers, placed)) is not None:
+        make_late(place, differences)
+        placed.append(place.draft)
     duties = must_give_way(scene.functional, scene.logical)
     patient = patient_ones(scene, ordered, duties)
     by_pair = {frozenset((duty.yields, duty.other)): duty for duty in duties}
-    manners = Manners(lights_of(scene, offsets), by_pair, patient)
-    while len(offsets) < len(scene.drives):
-        place = _met(scene, ordered, offsets) or _in_line(scene, offsets) or _free(scene, offsets)
-        offsets[place.draft.id] = clear_offset(place, offsets, differences, manners)
+    manners = Manners(lights_of(scene, placed), by_pair, patient)
+    while len(placed) < len(scene.drives):
+        place = _met(scene, ordered, placed) or _in_line(scene, placed) or _free(scene, placed)
+        make_late(place, differences, manners)
+        placed.append(place.draft)
     scene.signals = manners.lights.plan if manners.lights is not None else None
-    return offsets
 
 
-def _met(scene: Setup, meetings: Sequence[Meeting], offsets: Mapping[str, float]) -> Placing | None:
+def _met(scene: Setup, meetings: Sequence[Meeting], placed: Sequence[DriveDraft]) -> Placing | None:
     """By the most important meeting of which one side is fixed."""
     for meeting in meetings:
-        known = meeting.first in offsets
-        if known == (meeting.second in offsets):
-            continue
         first, second = scene.drives[meeting.first], scene.drives[meeting.second]
+        known = first in placed
+        if known == (second in placed):
+            continue
         later_s = meeting.lag_s + first.course.time_at(meeting.first_s_m)
         later_s -= second.course.time_at(meeting.second_s_m)
         draft = second if known else first
-        offset = offsets[first.id] + later_s if known else offsets[second.id] - later_s
-        placed = [scene.drives[name] for name in offsets]
+        offset = first.offset_s + later_s if known else second.offset_s - later_s
         # Those in danger touch nobody else.
         spared = {n for m in meetings if m.priority < ORDINARY for n in m.other_than(draft.id)}
         spared |= {n for n in meeting.other_than(draft.id) if scene.contact_wanted(n, draft.id)}
@@ -75,34 +74,33 @@ def _met(scene: Setup, meetings: Sequence[Meeting], offsets: Mapping[str, float]
     return None
 
 
-def _in_line(scene: Setup, offsets: Mapping[str, float]) -> Placing | None:
+def _in_line(scene: Setup, placed: Sequence[DriveDraft]) -> Placing | None:
     """Behind or before the next of its arm and lane that is fixed, at a distance."""
-    placed = [scene.drives[name] for name in offsets]
     pairs = [
         (abs(draft.drive.rank - each.drive.rank), n, draft, each)
-        for n, (name, draft) in enumerate(scene.drives.items())
+        for n, draft in enumerate(scene.drives.values())
         for each in placed
-        if name not in offsets and same_lane(each, draft)
+        if draft not in placed and same_lane(each, draft)
     ]
     if not pairs:
         return None
     *_, draft, each = min(pairs, key=lambda pair: pair[:2])
     direction = 1 if each.drive.rank < draft.drive.rank else -1
     gap_s = each.course.time_at(draft.arrives_s_m) - draft.course.time_at(draft.arrives_s_m)
-    offset = offsets[each.id] + gap_s + direction * HEADWAY_S
+    offset = each.offset_s + gap_s + direction * HEADWAY_S
     return Placing(draft, offset, placed, direction=direction, headway_s=HEADWAY_S)
 
 
-def _free(scene: Setup, offsets: Mapping[str, float]) -> Placing:
+def _free(scene: Setup, placed: Sequence[DriveDraft]) -> Placing:
     """At the junction when the ego is."""
-    open_ = [draft for name, draft in scene.drives.items() if name not in offsets]
+    open_ = [draft for draft in scene.drives.values() if draft not in placed]
     draft, ego = min(open_, key=lambda each: each.drive.rank), scene.ego
     offset = ego.course.time_at(ego.arrives_s_m) - draft.course.time_at(draft.arrives_s_m)
-    return Placing(draft, offset, [scene.drives[name] for name in offsets])
+    return Placing(draft, offset, placed)
 
 
-def schedule(scene: Setup, meetings: Sequence[Meeting]) -> dict[str, float]:
-    """Offsets on the scenario's clock.
+def schedule(scene: Setup, meetings: Sequence[Meeting]) -> None:
+    """Fix how late every drive is on the scenario's clock.
 
     Everybody starts on its arm, before its first phase and before its first meeting; the ego
     has ``APPROACH_S`` until its own.
@@ -112,23 +110,22 @@ def schedule(scene: Setup, meetings: Sequence[Meeting]) -> dict[str, float]:
     approach_s = 0.0 if ego.backs_out else ego.course.time_at(first_s[ego.id]) - APPROACH_S
     differences = Differences(approach_s)
     for _ in range(_ROUNDS):
-        offsets = arrange(scene, meetings, differences)
+        arrange(scene, meetings, differences)
         assumed_s = differences.begins_s
-        differences.begins_s = min([assumed_s, *_latest_s(scene, offsets, first_s)])
+        differences.begins_s = min([assumed_s, *_latest_s(scene, first_s)])
         if differences.begins_s >= assumed_s - _SAME_S:
             break
         waits.restore()
-    return {name: offset - differences.begins_s for name, offset in offsets.items()}
+    for draft in scene.drives.values():
+        draft.offset_s -= differences.begins_s
 
 
-def _latest_s(
-    scene: Setup, offsets: Mapping[str, float], first_s: Mapping[str, float]
-) -> Iterator[float]:
+def _latest_s(scene: Setup, first_s: Mapping[str, float]) -> Iterator[float]:
     """When every drive must be under way at the latest, on the ego's timeline."""
     for name, draft in scene.drives.items():
         if draft.backs_out:
             # It stands near where it starts until its time has come.
-            yield offsets[name]
+            yield draft.offset_s
         elif not (
             draft.stands
             or stands_at_red(scene.functional.participant(name))
@@ -138,7 +135,7 @@ def _latest_s(
             places += [mark.s_m for mark in draft.speed_changes() if mark.s_m > 0.5]
             places += [draft.laid.path_s_m(change.position_m) for change in draft.lane_changes]
             lead_in = draft.course.time_at(max(0.0, min(places))) - LEAD_IN_S
-            yield offsets[name] + max(0.0, lead_in)
+            yield draft.offset_s + max(0.0, lead_in)
 
 
 def shortfall(scene: Setup) -> tuple[float, str]:
@@ -182,49 +179,37 @@ class Placing:
     waits: bool = True
 
 
-def clear_offset(
-    place: Placing,
-    offsets_s: Mapping[str, float],
-    differences: Differences,
-    manners: Manners | None = None,
-) -> float:
-    """The offset next to that of a placing at which it touches none of the others.
+def make_late(place: Placing, differences: Differences, manners: Manners | None = None) -> None:
+    """Let a drive be as late as is next to its placing and lets it touch none of the others.
 
     Where none is free, the first that is free of those of its lane. With ``manners`` nobody takes
     another's way, of those placed, either.
     """
     draft, manners = place.draft, manners if place.waits else None
-    placed = [(other, offsets_s[other.id]) for other in place.clear]
-    everybody = [*placed, *((other, offsets_s[other.id]) for other in place.near)]
-    before = Waits.of([draft, *(other for other, _ in everybody)])
-    line = [each for each in placed if same_lane(draft, each[0])]
-    others = [each for each in placed if each not in line]
+    people = [draft, *place.clear, *place.near]
+    before = Waits.of(people)
+    line = [each for each in place.clear if same_lane(draft, each)]
+    others = [each for each in place.clear if each not in line]
     usual: float | None = None
     for k in range(int(place.within_s / _STEP_S) + 1):
         for sign in (place.direction,) if place.direction else (1, -1):
-            own = draft, place.offset_s + sign * k * _STEP_S
-            if differences.touches(own, line, place.headway_s):
+            draft.offset_s = place.offset_s + sign * k * _STEP_S
+            if differences.touches(draft, line, place.headway_s):
                 continue
-            usual = own[1] if usual is None else usual
+            usual = draft.offset_s if usual is None else usual
             if manners is not None:
-                manners.wait(*own)
-                if not manners.settle(*own, everybody):
+                manners.wait(draft)
+                if not manners.settle(draft, people):
                     before.restore()
                     continue
-            waiting = {each.id for each in before.changed()}
-            people = [own, *everybody]
+            waiting = before.changed()
             if not (
-                differences.touches(own, others, _ROOM_S)
-                or (draft.id in waiting and differences.touches(own, line, place.headway_s))
-                or any(
-                    differences.touches(one, people, _ROOM_S)
-                    for one in people
-                    if one[0].id in waiting
-                )
+                differences.touches(draft, others, _ROOM_S)
+                or (draft in waiting and differences.touches(draft, line, place.headway_s))
+                or any(differences.touches(one, people, _ROOM_S) for one in waiting)
             ):
-                return own[1]
+                return
             before.restore()
-    found = place.offset_s if usual is None else usual
+    draft.offset_s = place.offset_s if usual is None else usual
     if manners is not None:
-        manners.wait(draft, found)
-    return found
+        manners.wait(draft)

@@ -180,8 +180,7 @@ def _cruise_speed_mps(scene: Setup, participant: Participant, arm: int) -> float
 
 
 def _start(scene: Setup, meetings: list[Meeting]) -> None:
-    for name, late_s in schedule(scene, meetings).items():
-        scene.drives[name].offset_s = late_s
+    schedule(scene, meetings)
     do_acts(scene)
     _with_lead_in(scene)
     short, who = shortfall(scene)

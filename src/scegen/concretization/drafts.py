@@ -34,7 +34,7 @@ _SHORT_M = 1.0
 """From the front bumper of one who stops to the stop line, and as early before a bend."""
 
 
-@dataclass
+@dataclass(eq=False)
 class DriveDraft:
     """A vehicle's drive in the making.
 

@@ -7,7 +7,7 @@ somebody meets a light, it is laid once more around everybody, when all times ar
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import isfinite
 from typing import NamedTuple
@@ -65,24 +65,24 @@ class Lights:
     functional: FunctionalScenario
     obeying: frozenset[str]
 
-    def wait(self, draft: DriveDraft, offset_s: float) -> None:
-        """Let a drive so late stand at its line until green: at red, or if that is said."""
+    def wait(self, draft: DriveDraft) -> None:
+        """Let a drive stand at its line until green: at red, or if that is said."""
         draft.waits_s = None
         group = self.plan.group_of(draft.drive.entry)
         if draft.id not in self.obeying or group is None:
             return
-        since = (crosses_s(draft, offset_s) - group.green_from_s) % self.plan.cycle_s
+        since = (crosses_s(draft) - group.green_from_s) % self.plan.cycle_s
         waits = self.functional.participant(draft.id).light is AtLight.WAITS
         if since < group.green_s - _LATE_S and not waits:
             return
         delay_s = _green_delays_s(self.functional).get(draft.id)
-        goes = crosses_s(draft, offset_s) + self.plan.cycle_s - since
+        goes = crosses_s(draft) + self.plan.cycle_s - since
         goes += _STARTS_S if delay_s is None else delay_s
         # One that sets off late has stood for longer: it came to rest before green.
         least = _LEAST_WAIT_S if delay_s is None else delay_s + _STARTS_S
         draft.waits_s = least
         again = draft.course.going_on
-        longer = goes - (offset_s + again.begins_s) if again is not None else 0.0
+        longer = goes - (draft.offset_s + again.begins_s) if again is not None else 0.0
         draft.waits_s = least + max(0.0, longer)
 
 
@@ -92,9 +92,9 @@ def stands_at_red(participant: Participant) -> bool:
     return participant.light is AtLight.WAITS and speed is not None and speed.high == 0.0
 
 
-def crosses_s(draft: DriveDraft, offset_s: float) -> float:
+def crosses_s(draft: DriveDraft) -> float:
     """When its front goes over the line."""
-    return offset_s + draft.course.time_at(draft.stop_line_s_m - draft.body.front_m)
+    return draft.offset_s + draft.course.time_at(draft.stop_line_s_m - draft.body.front_m)
 
 
 class _Shown(NamedTuple):
@@ -111,7 +111,7 @@ class _Shown(NamedTuple):
     who: str = ""
 
 
-def lights_of(scene: Setup, offsets_s: Mapping[str, float]) -> Lights | None:
+def lights_of(scene: Setup, placed: Collection[DriveDraft]) -> Lights | None:
     """The lights under which those who are placed pass as they are to; None where there are none.
 
     Of plans of equal green the one that suits them best, and gives the others green soonest.
@@ -121,7 +121,7 @@ def lights_of(scene: Setup, offsets_s: Mapping[str, float]) -> Lights | None:
         return None
     plan = _plan(scene, green_phases(functional, logical))
     if plan.working:
-        plan = _suiting(plan, list(_driven(scene, offsets_s)))
+        plan = _suiting(plan, list(_driven(scene, placed)))
     halted = {name for name in scene.drives if scene.runs_into_standing(name)}
     return Lights(plan, functional, must_obey(functional, logical) - halted)
 
@@ -132,17 +132,16 @@ def _green_delays_s(functional: FunctionalScenario) -> dict[str, float]:
     return {name: delay.middle for name, delay in said if delay is not None}
 
 
-def _driven(scene: Setup, offsets_s: Mapping[str, float]) -> Iterator[_Shown]:
+def _driven(scene: Setup, placed: Collection[DriveDraft]) -> Iterator[_Shown]:
     """Of those who drive and are placed, as is said, or as the rules want it."""
     functional, logical = scene.functional, scene.logical
     runners, obeying = light_runners(functional, logical), must_obey(functional, logical)
     delays = _green_delays_s(functional)
     for name in at_lights(functional, logical):
-        said = functional.participant(name).light
-        if name not in offsets_s or name not in scene.drives or scene.drives[name].stands:
+        said, draft = functional.participant(name).light, scene.drives.get(name)
+        if draft is None or draft not in placed or draft.stands:
             continue
-        draft, late = scene.drives[name], offsets_s[name]
-        course, time_s = draft.course, crosses_s(draft, late)
+        course, late, time_s = draft.course, draft.offset_s, crosses_s(draft)
         wanted = AtLight.RED if name in runners else said
         if wanted is None and name in obeying:
             wanted = AtLight.GREEN
@@ -283,7 +282,6 @@ def set_lights(scene: Setup) -> None:
     scene.signals = shifted(scene.signals, scene.ego.offset_s)
     # An ego that stands all the time has no place on the clock by which the plan was laid.
     if scene.ego.stands or any(p.light is not None for p in scene.functional.participants):
-        late = {name: draft.offset_s for name, draft in scene.drives.items()}
-        shown = [*_driven(scene, late), *_walked(scene)]
+        shown = [*_driven(scene, scene.drives.values()), *_walked(scene)]
         scene.signals = _suiting(scene.signals, shown)
         _wait_as_long(scene, [each for each in shown if each.after_s is not None])

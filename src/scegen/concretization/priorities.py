@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from math import inf
 
-from scegen.concretization.clearance import Placed, grounds_s
+from scegen.concretization.clearance import grounds_s
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.lights import Lights
 from scegen.concretization.limits import STOPS_FOR_S
@@ -68,52 +68,48 @@ class Manners:
     duties: Mapping[frozenset[str], Duty]
     patient: frozenset[str]
 
-    def wait(self, draft: DriveDraft, offset_s: float) -> None:
-        """Let a drive with this offset wait for its green, where it has to."""
+    def wait(self, draft: DriveDraft) -> None:
+        """Let a drive wait for its green, where it has to."""
         if self.lights is not None:
-            self.lights.wait(draft, offset_s)
+            self.lights.wait(draft)
 
-    def settle(self, draft: DriveDraft, offset_s: float, others: Sequence[Placed]) -> bool:
-        """Let those wait who would take another's way where a drive is so late.
+    def settle(self, draft: DriveDraft, people: Sequence[DriveDraft]) -> bool:
+        """Let those wait who would take another's way where a drive is as late as it is.
 
         Returns whether nobody takes another's way then.
         """
-        people = [(draft, offset_s), *others]
         changed = {draft.id}
         for _ in range(2 * len(people)):
-            pairs = (
-                (a, b) for a in people for b in people if a[0].id in changed and b[0] is not a[0]
-            )
+            pairs = ((a, b) for a in people for b in people if a.id in changed and b is not a)
             taken = next(filter(None, (self._taken(one, two) for one, two in pairs)), None)
             if taken is None:
                 return True
-            (late, late_s), (other, other_s) = taken
-            if late.id not in self.patient or not self._lets_by(late, late_s, other, other_s):
+            late, other = taken
+            if late.id not in self.patient or not self._lets_by(late, other):
                 return False
             changed.add(late.id)
         return False
 
-    def _taken(self, one: Placed, two: Placed) -> tuple[Placed, Placed] | None:
+    def _taken(self, one: DriveDraft, two: DriveDraft) -> tuple[DriveDraft, DriveDraft] | None:
         """Who of two takes the other's way, and the other."""
-        duty = self.duties.get(frozenset((one[0].id, two[0].id)))
+        duty = self.duties.get(frozenset((one.id, two.id)))
         if duty is None:
             return None
-        yields, other = (one, two) if duty.yields == one[0].id else (two, one)
-        if duty.by_arrival and _rests_s(*yields) < _rests_s(*other) - TOGETHER_S - _ROOM_S:
+        yields, other = (one, two) if duty.yields == one.id else (two, one)
+        if duty.by_arrival and _rests_s(yields) < _rests_s(other) - TOGETHER_S - _ROOM_S:
             yields, other = other, yields
-        return (yields, other) if self._takes_way(*yields, *other) else None
+        return (yields, other) if self._takes_way(yields, other) else None
 
-    def _takes_way(
-        self, name: DriveDraft, name_s: float, other: DriveDraft, other_s: float
-    ) -> bool:
+    def _takes_way(self, late: DriveDraft, other: DriveDraft) -> bool:
         """Whether one that gives way comes before the other is gone, and is not long gone."""
+        later_s = late.offset_s - other.offset_s
         return any(
-            name_s + own.enter_m < other_s + own.other_leaves_m + _ROOM_S
-            and name_s + own.leave_m + CLEAR_S + _ROOM_S > other_s + own.other_enters_m
-            for own in grounds_s(name, other)
+            later_s + own.enter_m < own.other_leaves_m + _ROOM_S
+            and later_s + own.leave_m + CLEAR_S + _ROOM_S > own.other_enters_m
+            for own in grounds_s(late, other)
         )
 
-    def _lets_by(self, late: DriveDraft, late_s: float, other: DriveDraft, other_s: float) -> bool:
+    def _lets_by(self, late: DriveDraft, other: DriveDraft) -> bool:
         """Let one wait until another is before it, and gone as it comes; whether it can."""
         waited_s, served = late.waits_s, late.lets_by
         late.waits_s = STOPS_FOR_S
@@ -123,8 +119,8 @@ class Manners:
         rests_s = again - STOPS_FOR_S
         # One that would still come too soon waits until the other is gone.
         early = served != other.id
-        free_s = self._free_s(late, again if early else None, other) + other_s
-        wait_s = max(free_s - late_s - rests_s, stops_s + _BRAKES_S - rests_s)
+        free_s = self._free_s(late, again if early else None, other) + other.offset_s
+        wait_s = max(free_s - late.offset_s - rests_s, stops_s + _BRAKES_S - rests_s)
         if late.stops_at_line:
             wait_s = max(wait_s, STOPS_FOR_S)
         late.waits_s, late.lets_by = wait_s, other.id
@@ -186,9 +182,9 @@ def _is_free(draft: DriveDraft) -> bool:
     return not (does or stands)
 
 
-def _rests_s(draft: DriveDraft, offset_s: float) -> float:
+def _rests_s(draft: DriveDraft) -> float:
     """When a drive comes to rest at its line; never if it does not."""
     phase = draft.course.stop
     if phase is None:
         return inf
-    return offset_s + draft.course.profile.settles_s(phase.begins_s)
+    return draft.offset_s + draft.course.profile.settles_s(phase.begins_s)
