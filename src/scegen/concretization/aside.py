@@ -5,7 +5,7 @@ A move is told from where it is over: just before the drive slows down for its t
 
 from __future__ import annotations
 
-from scegen.concretization.amounts import gripped_s
+from scegen.concretization.amounts import gripped_s, lasting_s
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import (
     CUT_IN_HEADWAY_S,
@@ -16,6 +16,7 @@ from scegen.concretization.meetings import STRUCTURAL, Meeting, nearest_s_m
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.tale import outward
 from scegen.errors import MotionInfeasibleError
+from scegen.scenario.acts import Act
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import MOST_OFFSET_M, LaneChange
 from scegen.scenario.roadway import LANE_WIDTH_M
@@ -32,10 +33,14 @@ _SAME_LINE_M = 2.0
 
 
 def change_length_m(
-    draft: DriveDraft, seconds: float = LANE_CHANGE_S, width_m: float = LANE_WIDTH_M
+    draft: DriveDraft,
+    usual_s: float = LANE_CHANGE_S,
+    act: Act | None = None,
+    width_m: float = LANE_WIDTH_M,
 ) -> float:
-    """How long a move to the side is that takes so many seconds, or as many as grip asks for."""
-    return max(_LEAST_M, draft.speed_mps * max(seconds, gripped_s(width_m, draft.grip_mps2)))
+    """How long a move to the side is: as quick as is said, else as is usual, if grip allows it."""
+    lasts_s = lasting_s(act, width_m, usual_s, draft.grip_mps2)
+    return max(_LEAST_M, draft.speed_mps * max(lasts_s, gripped_s(width_m, draft.grip_mps2)))
 
 
 def over_by_m(*drafts: DriveDraft) -> float:

@@ -8,7 +8,6 @@ that enter on different arms it is one vehicle turning in front of another: they
 
 from __future__ import annotations
 
-from scegen.concretization.amounts import lasting_s
 from scegen.concretization.aside import (
     AHEAD_M,
     BEHIND_M,
@@ -28,7 +27,7 @@ from scegen.concretization.tale import SIDEWAYS, SWERVING, changes_before_turnin
 from scegen.concretization.turning_ways import is_outward
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import is_ring
-from scegen.scenario.acts import Act, ActKind
+from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind, Side
 
 _FASTER = 1.5
@@ -115,7 +114,8 @@ def _come_into_lane(
     """Change lanes: into another's, close before it, or into the one that leads on."""
     draft.entry_lane, target = _start_and_target(scene, draft, other)
     usual = LANE_CHANGE_S if kind is None else ABRUPT_LANE_CHANGE_S
-    length = _length_m(scene, draft, scene.first_act(draft.id, ActKind.CHANGE_LANE), usual)
+    act = scene.first_act(draft.id, ActKind.CHANGE_LANE)
+    length = change_length_m(draft, usual, act, scene.functional.junction.lanes_wide_m)
     end = over_by_m(*(each for each in (draft, other) if each is not None))
     there = move_aside(scene, draft, target, ends_m=end, over_m=length, hazard=kind)
     return [] if other is None else close_before(scene, draft, other, there)
@@ -178,7 +178,7 @@ def _out_and_back(
     else:
         aside = neighbour_lane(scene, draft, oncoming=not scene.ring)
     offset = width if act is not None and act.side is Side.LEFT else -width
-    length = _length_m(scene, draft, act, usual, width)
+    length = change_length_m(draft, usual, act, width or scene.functional.junction.lanes_wide_m)
     there = move_aside(
         scene,
         draft,
@@ -191,15 +191,6 @@ def _out_and_back(
     )
     into = beside is not None and beside.entry_lane == aside
     return close_before(scene, draft, beside, there) if beside is not None and into else []
-
-
-def _length_m(
-    scene: Setup, draft: DriveDraft, act: Act | None, usual_s: float, width_m: float = 0.0
-) -> float:
-    """How long a move is: over so much, else over a lane, as quick as is said, else as is usual."""
-    width_m = width_m or scene.functional.junction.lanes_wide_m
-    lasts_s = lasting_s(act, width_m, usual_s, draft.grip_mps2)
-    return change_length_m(draft, lasts_s, width_m)
 
 
 def shape_maneuvers(scene: Setup) -> list[Meeting]:
