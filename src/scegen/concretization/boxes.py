@@ -59,24 +59,14 @@ def box_of(pose: Pose, body: Body) -> Boxes:
 def apart(a: Boxes, b: Boxes, within_m: float) -> Array:
     """Greatest free distance along an axis of either box; at most 0 where they touch.
 
-    Where it is more than ``within_m`` it is inf: only those who are near are looked at.
+    Where it is more than ``within_m`` it is inf.
     """
     reach = hypot(a.half_length, a.half_width) + hypot(b.half_length, b.half_width) + within_m
     dx, dy = b.x - a.x, b.y - a.y
     near = dx * dx + dy * dy <= 2 * reach * reach
-    distance = np.full(near.shape, np.inf)
     if not near.any():
-        return distance
-    one, two = (
-        boxes._replace(
-            x=np.broadcast_to(boxes.x, near.shape)[near],
-            y=np.broadcast_to(boxes.y, near.shape)[near],
-            cos=np.broadcast_to(boxes.cos, near.shape)[near],
-            sin=np.broadcast_to(boxes.sin, near.shape)[near],
-        )
-        for boxes in (a, b)
-    )
-    distance[near] = np.max([*free(one, two), *free(two, one)], axis=0)
+        return np.full(near.shape, np.inf)
+    distance = np.max([*free(a, b), *free(b, a)], axis=0)
     return np.where(distance <= within_m, distance, np.inf)
 
 
