@@ -92,14 +92,8 @@ def _index(places_m: Array, place_m: float) -> int:
 
 def grounds_s(one: DriveDraft, other: DriveDraft) -> tuple[Ground, ...]:
     """The grounds of two in times, each on its own clock; inf where one never gets."""
-    return _in_time(one.path, one.body, one.course, other.path, other.body, other.course)
-
-
-@remembered
-def _in_time(
-    one: Path, body: Body, a: Course, other: Path, other_body: Body, b: Course
-) -> tuple[Ground, ...]:
-    shared = grounds(one, body, other, other_body)
+    a, b = one.course, other.course
+    shared = grounds(one.path, one.body, other.path, other.body)
     return tuple(Ground(*map(_when_s, (a, a, b, b), ground)) for ground in shared)
 
 
