@@ -106,10 +106,10 @@ def brake_for(traffic: Traffic, contact: Contact, loose: SpeedChange | None = No
 
 def _leaving(traffic: Traffic, contact: Contact, rests_m: float) -> Callable[[float], bool]:
     """Whether one leaves so much room to another, and comes to rest no nearer than is said."""
-    ahead, last = traffic.track(contact.other, traffic.times_s)[0], traffic.times_s[-1:]
+    last = traffic.times_s[-1:]
 
     def leaves(room_m: float) -> bool:
-        if not leaves_room(traffic, contact, room_m, ahead):
+        if not leaves_room(traffic, contact, room_m):
             return False
         ends = (traffic.track(name, last)[0] for name in contact[1:])
         return rests_m == -inf or not gap_m(*ends)[0] < rests_m - _SAME_M
