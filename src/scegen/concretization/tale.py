@@ -143,12 +143,13 @@ class Tale:
         return 0.5 if percent is None else percent.middle / 100
 
     def hazard_of(self, act: Act) -> HazardKind | None:
-        """The danger that an act is, if it is one: rather one that consists of just such an act."""
+        """The danger that an act is, if it is one; rather one of just such moves aside."""
         alike = next((kinds for kinds in _ALIKE if act.kind in kinds), frozenset())
         beside = FROM_BESIDE if act.kind is ActKind.CHANGE_LANE else frozenset()
-        own = (h.kind for h in self.functional.hazards if act.participant in h.by)
-        found = [kind for kind in own if kind in beside or alike & {*HAZARDS[kind].acts}]
-        return min(found, key=lambda kind: act.kind not in HAZARDS[kind].acts, default=None)
+        own = self.kinds_by(act.participant)
+        found = [k for k in HAZARDS if k in own and (k in beside or alike & {*HAZARDS[k].acts})]
+        aside = act.kind in LEAVING
+        return min(found, key=lambda k: aside and act.kind not in HAZARDS[k].acts, default=None)
 
     def contact_wanted(self, first: str, second: str) -> bool:
         """Whether the text says that these two touch."""
