@@ -12,7 +12,7 @@ import numpy as np
 from scegen.claims.boxes import gap_m
 from scegen.concretization.along.crossing import cross
 from scegen.concretization.along.frame import Frame, fitted, frame_of, road_of
-from scegen.concretization.along.overtaking import come_back, overtake
+from scegen.concretization.along.overtaking import overtake
 from scegen.concretization.along.parked import opens, park, passes_s
 from scegen.concretization.along.performing import is_timed_last, perform_known
 from scegen.concretization.along.placing import place_all
@@ -20,6 +20,7 @@ from scegen.concretization.along.reactions import react, traffic_of
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import offset_all
 from scegen.concretization.along.story import Story
+from scegen.concretization.along.straying import come_back
 from scegen.concretization.along.telling import story_of
 from scegen.concretization.along.writing import (
     ends_s,

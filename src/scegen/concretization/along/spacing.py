@@ -10,10 +10,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from scegen.claims.boxes import gap_m
 from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.story import Story
 from scegen.concretization.answering import last_that
 from scegen.concretization.boxes import apart, missing_m
+from scegen.motion.batch.arrays import Bools
+from scegen.motion.model import Array
 from scegen.scenario.acts import ActKind
 from scegen.scenario.in_line import words_between
 from scegen.scenario.spacings import Measure
@@ -21,7 +24,8 @@ from scegen.scenario.vocabulary import Approach
 
 JUST_M = 0.5
 """The room that is left between two of whom one just misses the other."""
-_TIMES_S = np.arange(0.0, 40.0, 0.05)
+_LOOK_S, _LONGEST_S = 0.05, 60.0
+_TIMES_S = np.arange(0.0, 40.0, _LOOK_S)
 
 
 def is_ahead(story: Story, who: str, other: str) -> bool:
@@ -119,3 +123,14 @@ def level(who: Runner, other: Runner, time_s: float) -> float:
     """Where ``who`` starts so that the middles of both are level at a moment."""
     from_0 = replace(who, at_m=0.0)
     return other.middle_m(time_s) - from_0.middle_m(time_s)
+
+
+def first_s(true: Callable[[Array], Bools], from_s: float) -> float:
+    """The first moment at which something holds, from another one on; that one if never."""
+    times = from_s + np.arange(0.0, _LONGEST_S, _LOOK_S)
+    return float(times[np.argmax(true(times))])
+
+
+def is_level(first: Runner, second: Runner, within_m: float, times_s: Array) -> Bools:
+    """When two are level along the road, or have no more than so much between them."""
+    return gap_m(first.track(times_s)[0], second.track(times_s)[0]) <= within_m

@@ -91,14 +91,12 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     named = _by_a_pronoun(named, subject, figure) if pronoun else named
     pairs = [m.entities for m in before if len(m.entities) == _PAIR]
     between = two_between(figure) or (pairs[-1:] if figure.led_by == "apart" else [])
+    between = between or ([] if named or located else _brought_in(figure))
     if between:
         return between[-1][0], between[-1][1]
     bracketed = _bracketed(figure)
     if bracketed is not None and subject and bracketed not in subject:
         return subject[0], bracketed
-    beside = [m for m in before if m.j == figure.i and m.stands_after("with") and m.entities]
-    if beside and not (named or located) and beside[0].entities != [text.ego]:
-        return beside[0].entities[0], text.ego  # "overtakes it with a van 150 m away"
     by_verb = figure.role in {"overlap", "headway", "ttc"} or not (named or located)
     # "follows a car 30 m behind it", "follows a truck 25 m in front of it"
     by_verb = by_verb or (pronoun and figure.does == "follow")
@@ -114,6 +112,13 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     first = subject[0] if subject else named[0] if named else text.ego
     other = text.counterpart(first, text.spoken_of(0, figure.i))
     return (first, other) if other is not None and other is not first else None
+
+
+def _brought_in(figure: Figure) -> list[list[Entity]]:
+    """``overtakes it with a van 150 m away``: who comes in right before the number."""
+    near = (m for m in figure.text.mentions if m.j == figure.i and m.stands_after("with"))
+    ego = figure.text.ego
+    return [[e, ego] for m in near for e in m.entities[:1] if e is not ego]
 
 
 def two_between(figure: Figure) -> list[list[Entity]]:
