@@ -20,7 +20,6 @@ from scegen.understanding.clauses.ellipsis import (
     fill_in,
     named_again,
     names_another,
-    said_of_one,
     who_comes,
 )
 from scegen.understanding.draft import Draft
@@ -127,7 +126,6 @@ def read(text: str) -> FunctionalScenario:
     who_comes(chunks, events)
     named_again(events)
     names_another(events)
-    said_of_one(chunks, events)
     draft = Draft(text, tokens)
     draft.ramp = lengthwise.auxiliary[1] if lengthwise.auxiliary is not None else None
     draft.kerb = (surroundings.side or DrivingSide.RIGHT).value

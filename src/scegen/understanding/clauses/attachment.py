@@ -10,6 +10,7 @@ from scegen.understanding.words.terms import Term
 
 _PASSING = frozenset({"overtake", "pass", "undertake"})
 _MET = _PASSING | {"collide"}
+_OUT, _HALVES = frozenset({"overtake", "bypass"}), frozenset({"lane", "side"})
 _ASIDE = frozenset({",", "unknown", "inert"})
 
 
@@ -152,6 +153,9 @@ def _of_who_acts(prep: Prep, whom: Mention, state: State) -> bool:
     if place is not None:
         if verb is None or prep.value != "in":
             return False
+        other = "opposite" in place.dirs or place.has("det", "other")
+        if other and verb.name in _OUT and place.kind in _HALVES:
+            return True  # "overtakes a truck in the oncoming lane"
         past = (p for p in verb.pps if "passes" in p.word.data)
         if not verb.subject and (whom.is_me or whom.is_ego or is_it(whom)):
             # "driving next to us in the right lane, a lorry …"

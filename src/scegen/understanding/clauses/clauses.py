@@ -140,6 +140,8 @@ class ClauseReader:
     def _adverb(self, word: Term) -> None:
         state = self._state
         if word.cat in {"aux", "neg"}:
+            if state.waiting is not None:
+                release(state)  # "the car behind is a taxi"
             state.between -= {"aux:be"} if word.value == "will" else set()  # "is going to cut in"
             state.between.add(f"{word.cat}:{word.value}")
             return
@@ -275,6 +277,8 @@ class ClauseReader:
         event.negated = event.negated or any(
             m.denied or m.pronoun == "neither" for m in event.subject
         )
+        if any("had" in m.marks for m in event.subject):  # "had it braked, it …": it did not
+            event.negated = not event.negated
         event.perfect = "aux:have" in state.between
         owed = "aux:shall" in state.between and any(m.is_ego for m in event.subject)
         event.modal = event.modal or owed or "aux:modal" in state.between

@@ -146,7 +146,7 @@ def gerund(event: Event, state: State) -> None:
     prep = state.prep.value if state.prep else ""
     parent, who = state.last, state.waiting
     event.negated = prep in {"without", "instead"}
-    if prep == "instead" and event.name != "yield":
+    if prep == "instead" and event.name not in {"yield", "stop"}:
         event.name = "inert"  # "speeds up instead of slowing down": only what is owed counts
     if parent is None:
         _first_said_of(state.anchor, event, state)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from itertools import takewhile
+from itertools import pairwise, takewhile
 
 from scegen.scenario.acts import ActKind
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep
@@ -32,8 +32,9 @@ def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> li
     for event in events:
         event.lemma = tokens[event.j - 1 if event.nominal else event.i].forms[-1][0]
     _likewise(events, tokens)
+    _only_owed(events, tokens)
     acting = {id(m) for e in events for m in (*e.subject, e.object)}
-    found = [*events, *_denied(chunks, events)]
+    found = [*events, *_taken_up(chunks, events, tokens)]
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Mention) or id(chunk) in acting or chunk.prep is not None:
             continue
@@ -112,22 +113,46 @@ def _in_turn(event: Event, tokens: list[Token]) -> bool:
     return bool(opened & {"then", "and"}) and not (event.object or event.pps or event.children)
 
 
-def _denied(chunks: list[Chunk], events: list[Event]) -> list[Event]:
-    """``has to yield but does not``, ``… but the car behind does not``: the verb before, denied."""
+def _taken_up(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> list[Event]:
+    """``has to yield but does not``, ``but fails to``: the verb before, denied.
+
+    ``shouldn't overtake, but does``: the verb before, done after all.
+    """
     found = []
     for k, chunk in enumerate(chunks[1:], start=1):
-        if not isinstance(chunk, Term) or chunk.cat != "neg":
-            continue
         helper, after = chunk_at(chunks, k - 1), chunk_at(chunks, k + 1)
-        does = (helper.cat, helper.value) == ("aux", "do")
-        verb = _verb_before(chunks[k - 1].i, events)
-        if does and (after is NOTHING or _parts(after)) and verb is not None:
-            clause = takewhile(lambda c: not _parts(c), reversed(chunks[: k - 1]))
-            named = [c for c in clause if isinstance(c, Mention) and c.prep is None]
-            subject = named[-1:] or verb.subject
-            again = _again(verb, subject, chunks[k - 1].i, chunk.j)
-            found.append(replace(again, negated=True, modal=False, pps=[], mods=[]))
+        begin = k - 1 if (helper.cat, helper.value) == ("aux", "do") else k
+        denied, does = chunk.cat == "neg" and begin < k, False
+        if isinstance(chunk, Event):
+            denied = chunk.name == "fail" and after.value == "to"
+            does = chunk.name in {"light", "likewise"} and tokens[chunk.i].low in word_list("does")
+            after = chunk_at(chunks, k + 2) if denied else after
+        verb = _verb_before(chunks[begin].i, events) if denied or does else None
+        if verb is None or not (after is NOTHING or _parts(after)) or does != _is_denied(verb):
+            continue
+        clause = takewhile(lambda c: not _parts(c), reversed(chunks[:begin]))
+        named = [c for c in clause if isinstance(c, Mention) and c.prep is None]
+        again = _again(verb, named[-1:] or verb.subject, chunks[begin].i, chunk.j)
+        found.append(replace(again, negated=denied, modal=False))
+        owed = does or verb.modal or verb.link == "inf"
+        if owed and not any(m.heads for m in named[-1:]):
+            verb.name = "inert"  # what is said of it is said again
     return found
+
+
+def _only_owed(events: list[Event], tokens: list[Token]) -> None:
+    """``was meant to brake but kept its speed``, ``should stop yet drives on``: it did not."""
+    for owed, done in pairwise(events):
+        helped = {t.low for t in tokens[max(0, owed.i - _MOST_AFTER) : owed.i]}
+        between = {t.low for t in tokens[owed.j : done.i]}
+        same = all(m in owed.subject or not m.heads for m in done.subject)
+        said = owed.modal and done.finite and same and not between.isdisjoint({"but", "yet"})
+        owed.negated = owed.negated or (said and not helped.isdisjoint(word_list("owing")))
+
+
+def _is_denied(verb: Event) -> bool:
+    """``did not brake``, ``is not allowed to pass``; not "brakes so as not to hit it"."""
+    return verb.negated and (verb.link != "inf" or (verb.parent or verb).negated)
 
 
 def _parts(chunk: Chunk) -> bool:
@@ -236,16 +261,6 @@ def names_another(events: list[Event]) -> None:
         outer = [e for e in events[:first] if not e.embedded and one not in e.subject]
         if outer and outer[-1].subject and any(_same_noun(m, one) for m in _named_with(event)):
             event.subject = outer[-1].subject
-
-
-def said_of_one(chunks: list[Chunk], events: list[Event]) -> None:
-    """``the van ahead of the ego, both at 50 km/h, brakes``: the van, as "both" would brake."""
-    for event in (e for e in events if e.form == "s" and not e.nominal):
-        both = [m for m in event.subject if m.pronoun == "both" and m.head is None]
-        opens = max((c.i for c in chunks if c.value == "." and c.i < event.i), default=-1)
-        named = [c for c in chunks if isinstance(c, Mention) and opens < c.i < event.i and c.heads]
-        if both and named and not named[0].plural:
-            event.subject = named[:1]
 
 
 def _named_with(event: Event) -> list[Mention]:

@@ -60,7 +60,9 @@ def read_mention(mention: Mention, state: State) -> None:
     elif isinstance(anchor, Event) and direct and _takes(anchor, state):
         anchor.object = mention
     elif (described := _described(mention, state)) is not None:
-        named = described.is_ego and mention.opened_by("def") and "aux:be" in state.between
+        which = described if described.pronoun == "one" else mention
+        named = described.is_ego or described.pronoun == "one"
+        named = named and which.opened_by("def") and "aux:be" in state.between
         one, other = (described, mention) if named else (mention, described)
         one.same_as = other  # "the ego is the van": one that was told of before
         if described is state.candidate or bracketed(state):
@@ -122,10 +124,11 @@ def _described(mention: Mention, state: State) -> Mention | None:
 def _is_predicate(mention: Mention, state: State) -> bool:
     """``vehicle 1 is a pickup truck``: the noun after "is" says what the subject is."""
     who = state.waiting
-    if who is None or state.anchor is not who:
-        return False
-    bare = not mention.mods or mention.opened_by("indef") or mention.mods[0].cat != "det"
-    bare = bare or mention.is_ego or who.is_ego  # "the truck is the ego", "the ego is the truck"
+    right_after = state.at(-1).value == "be" and state.at(-1).cat == "aux"
+    if who is None or not (state.anchor is who or right_after):
+        return False  # "the car that hits it is a taxi", not "is 20 m behind it in a van"
+    bare = all(m.cat != "det" or m.value == "indef" for m in mention.mods[:1])
+    bare = bare or mention.is_ego or who.is_ego or who.pronoun == "one"  # "the ego is the truck"
     if "aux:be" not in state.between or mention.pronoun or mention.is_named or not bare:
         return False
     if state.between & {"copy", "conj", "sub", ","} or who.pronoun in {"it", "they"}:
@@ -134,6 +137,10 @@ def _is_predicate(mention: Mention, state: State) -> bool:
 
 
 def _start_clause(mention: Mention, state: State) -> None:
+    opens = state.at(-1).value == "have" and state.at(-2).cat in {"", "punct"}
+    verb = next((c for c in state.after(_REACH) if isinstance(c, Event)), None)
+    if opens and verb is not None and verb.form == "ed":
+        mention.marks.add("had")
     mention.denied = "neg:not" in state.between
     exists = "copy" in state.between or ("aux:be" in state.between and bool(state.fronted))
     others = any(e.finite and e.subject and not e.subject[-1].is_ego for e in state.events)
@@ -204,7 +211,7 @@ def _owns_place(mention: Mention, state: State) -> bool:
 
 def read_noun(noun: NounPhrase, state: State) -> None:
     """A place or thing: what a preposition or verb governs."""
-    if state.prep is None and state.fronted and state.pending:
+    if state.prep is None and state.fronted and any(e.finite for e in state.pending):
         state.pending, state.fronted = [], []  # "ahead of the ego lies a crossing"
     opens = not state.events or bool(state.between & {"sub", ",", "conj"})
     whole, behind = _whole(noun, state)

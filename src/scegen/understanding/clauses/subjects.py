@@ -21,7 +21,7 @@ from scegen.understanding.phrases.lookahead import main_verb_follows
 PASSIVE = frozenset(
     {"collide", "cut_off", "block", "follow", "overtake", "bypass", "hide", "tailgate", "cause",
      "prevent", "precede", "encounter", "overlook", "pass", "cut_in", "cut", "avoid", "approach",
-     "undertake", "enter", "use", "door", "chase", "harm", "send"}
+     "undertake", "enter", "use", "door", "chase", "harm", "send", "yield"}
 )  # fmt: skip
 
 _DESCRIBING = PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate", "park"}

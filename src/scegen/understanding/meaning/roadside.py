@@ -8,6 +8,7 @@ from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at
+from scegen.understanding.reference.describing import carried
 from scegen.understanding.words.terms import NOTHING, Term
 
 _IN_THE_WAY = 9
@@ -29,8 +30,8 @@ def read_thing(thing: Thing, k: int, chunks: list[Chunk], draft: Draft) -> None:
     if none or chased or _bursts(thing, draft):
         return  # "no obstruction"; "a child runs after a ball": where it goes, not where it lies
     lost = possessed and _comes_off(thing, draft)
-    if thing.kind == "obstacle" and not lost and (possessed or _carried(thing, k, chunks)):
-        return  # "its tyre bursts", "a man with a dog": a part of somebody
+    if thing.kind == "obstacle" and not lost and (possessed or _held(thing, k, chunks, draft)):
+        return  # "its tyre bursts", "a man with a parcel": a part of somebody
     if thing.kind == "obstacle" or (
         thing.kind == "object" and _in_the_way(thing, k, chunks, draft)
     ):
@@ -45,6 +46,8 @@ def read_thing(thing: Thing, k: int, chunks: list[Chunk], draft: Draft) -> None:
 
 def _in_the_way(thing: Thing, k: int, chunks: list[Chunk], draft: Draft) -> bool:
     """``a wall stands in the ego's lane``, ``a bin on the road``, ``brakes for a caravan``."""
+    if thing.stands_after("with") and isinstance(chunk_at(chunks, k - 2), Mention):
+        return False  # "the one with the trailer"
     if thing.prep is None or thing.prep.value == "for":
         before = [c for c in chunks[max(0, k - 2) : k] if isinstance(c, Event)][-1:]
         if before and not before[0].nominal and before[0].name in _FOR_IT | {"tow"}:
@@ -78,13 +81,14 @@ def _comes_off(thing: Thing, draft: Draft) -> bool:
     return bool(word_list("falling") & set(words) or word_list("shedding") & set(before))
 
 
-def _carried(thing: Thing, k: int, chunks: list[Chunk]) -> bool:
-    """Whether it is with somebody on foot."""
+def _held(thing: Thing, k: int, chunks: list[Chunk], draft: Draft) -> bool:
+    """Whether it is with somebody on foot, or aboard."""
     who = chunk_at(chunks, k - 2)
     along = thing.stands_after("with")
     if along and thing.head is not None and "part" in thing.head.data:
         return True  # "parked with a flat tyre"
-    return along and isinstance(who, Mention) and any(not e.is_vehicle for e in who.entities)
+    afoot = isinstance(who, Mention) and any(not e.is_vehicle for e in who.entities)
+    return (along and afoot) or carried(thing, chunks, draft.tokens)
 
 
 def _owing_to(k: int, chunks: list[Chunk]) -> list[Entity]:

@@ -113,8 +113,10 @@ def behind_insertion(chunks: list[Chunk], m: int) -> int:
     end = next((n for n in range(m, m + _INSERTED) if value_at(chunks, n) == ","), m)
     inside = chunks[m:end]
     opens = [c for c in inside if c.cat != "manner"][:1]
-    if not opens or any(c.cat in {"conj", "sub"} or ends(c) for c in inside):
+    if not inside or any(c.cat in {"conj", "sub"} or ends(c) for c in inside):
         return m
+    if not opens:
+        return end + 1  # "from the left, without looking, comes a van"
     participle = isinstance(opens[0], Event) and opens[0].form in {"ing", "ed"}
     told = opens[0].cat != "rel" or any(isinstance(c, Event) for c in inside)
     return end + 1 if participle or (told and opens[0].cat in _PUT_IN) else m

@@ -42,6 +42,10 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             chunk = replace(last["exit"], i=chunk.i, j=chunk.j, mods=label)  # noqa: PLW2901
         if "crossed" in last and _across_it(chunk, before):
             chunk = replace(last["crossed"], i=chunk.i, j=chunk.j)  # noqa: PLW2901
+        if isinstance(chunk, Mention) and "one" in last:
+            one = last.pop("one")  # "one leg hidden from the other"
+            other = chunk.pronoun == "other"
+            chunk = replace(one, i=chunk.i, j=chunk.j, mods=chunk.mods) if other else chunk  # noqa: PLW2901
         if value_at(chunks, k) in BOUNDARIES | {","}:
             _remember_road(found, last)
         if "road" in last and _is_it(chunk) and value_at(found, len(found) - 1) in _OUT_OF:
@@ -113,6 +117,8 @@ def _remember(chunk: Place, last: dict[str, Place], tokens: list[Token]) -> None
         last["crossed"] = chunk
     if kind == "exit":
         last[kind] = chunk
+    if chunk.has("num", "one"):
+        last["one"] = chunk
     lane = last.get("lane")
     points = chunk.mods and tokens[chunk.mods[0].i].low in word_list("pointing")
     if kind == "lane" and points and lane is not None and not chunk.dirs:
@@ -192,17 +198,12 @@ def lanes_meant(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     """The chunks with a lane in place of each "one" and "it" that means one."""
     found: list[Chunk] = []
     named: Place | None = None
-    short: Place | None = None
     chunks = _within_a_lane(chunks, tokens)
     for k, chunk in enumerate(chunks):
         lane = _lane(chunk, k, chunks, named, tokens)
         if lane is not None and found[-1:] and found[-1].i == lane.i:
             found.pop()  # "the left" of "the left one"
-        elif isinstance(chunk, Place) and chunk.kind == "lane" and found[-2:-1] == [short]:
-            found.append(Term("prep", "in", chunk.i, chunk.i))
         found.append(lane or chunk)
-        if lane is not None and value_at(chunks, k + 1) == "and":
-            short = lane  # "in the left and the right lane": in both
         part = found[-3:-2] == [named] and found[-2].value == "of"
         if isinstance(found[-1], Place) and found[-1].kind in _LANES and not part:
             named = found[-1]

@@ -10,7 +10,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import ParticipantKind
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep
 from scegen.understanding.clauses.located import is_it
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.mention_words import is_pronoun, tells
@@ -32,6 +32,9 @@ _AGAIN = (
 )
 """What a second clause may tell of another time, so that its subject is the same."""
 _OFF_THE_ROAD = frozenset({"access", "parking", "road", "junction"})
+_LADEN = {"": "carrying", "of": "laden", "with": "laden"}
+_SEATED = 4
+"""Within so many words after somebody stands the seat."""
 _ALONG = frozenset({"behind", "ahead", "adjacent", "opposite"})
 
 
@@ -44,7 +47,7 @@ def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> N
     for chunk in chunks:
         if isinstance(chunk, Mention):
             chunk.sides |= _sides(chunk.pps)
-    _people_in_traffic(chunks, events)
+    _people_in_traffic(chunks, events, tokens)
     _aside(chunks, events)
     _chases(events)
     stand_for_vehicles(chunks, events, tokens)
@@ -112,8 +115,9 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     mention.marks |= {mark for mark, so in marks.items() if so}
     if event.lemma in word_list("pedalling") and mention.heads:
         mention.goes_by = ParticipantKind.BICYCLE  # "the claimant was cycling"
-    elif event.lemma in word_list("walking") and any("driver" in h.data for h in mention.heads):
-        mention.goes_by = ParticipantKind.PEDESTRIAN  # "the insured walked": no driver
+    elif event.lemma in word_list("stepping") and any("driver" in h.data for h in mention.heads):
+        on_foot = ParticipantKind.PEDESTRIAN  # "the insured walked": no driver
+        mention.goes_by = on_foot if _on_foot(event) else mention.goes_by
     if event.passive:
         return  # "the car is hit by a van from the right": the van comes from there
     froms = (p for p in event.pps if p.value == "from" and p.place is not None)
@@ -162,22 +166,36 @@ def _on_foot(event: Event) -> bool:
     return event.name in {"cross", "walk", "appear"} and not against
 
 
-def _people_in_traffic(chunks: list[Chunk], events: list[Event]) -> None:
+def _people_in_traffic(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
     """``the guy behind me``: somebody who is behind or in front, and does not walk, drives."""
-    walkers = [m for e in events if _on_foot(e) for m in e.subject]
-    walking, afoot = {id(m) for m in walkers}, any(map(_aboard, walkers))
-    for chunk in chunks:
-        if isinstance(chunk, Mention) and _aboard(chunk) and id(chunk) not in walking:
-            told = chunk.mod("det", "def") is not None and afoot  # "…; the ego hits the passenger"
-            chunk.negated = chunk.negated or not told
-        if isinstance(chunk, Mention) and id(chunk) not in walking:
-            alike = chunk.has("manner", "wrong_way") or _along(chunk)
-            chunk.marks |= {"drives"} if alike else set()
+    named = [c for c in chunks if isinstance(c, Mention)]
+    walking = {id(m) for e in events if _on_foot(e) for m in e.subject}
+    seated = [m for m in named if m.heads and not m.is_ego and carried(m, chunks, tokens)]
+    aboard = [*filter(_aboard, named), *seated]
+    afoot = any(id(m) in walking for m in aboard)
+    for who in [m for m in aboard if id(m) not in walking]:
+        told = who.mod("det", "def") is not None and afoot  # "…; the ego hits the passenger"
+        who.negated = who.negated or not told
+    for who in [m for m in named if id(m) not in walking]:
+        alike = who.has("manner", "wrong_way") or _along(who)
+        who.marks |= {"drives"} if alike else set()
 
 
 def _aboard(mention: Mention) -> bool:
     """``a passenger``: one who takes part only on foot."""
     return mention.head is not None and bool(mention.head.data.get("aboard"))
+
+
+def carried(noun: NounPhrase, chunks: list[Chunk], tokens: list[Token]) -> bool:
+    """``carrying four cars``, ``full of children``, ``with a girl on the back``."""
+    prep = noun.prep.value if noun.prep is not None else ""
+    k = max(0, (noun.prep or noun).i - 1)
+    bearer = [c for c in chunks if isinstance(c, NounPhrase) and c.j <= k][-1:]
+    laden = prep in _LADEN and tokens[k].base in word_list(_LADEN[prep])
+    laden = laden and not any(isinstance(c, Place) for c in bearer)  # a road
+    opened, *after = [t.low for t in tokens[noun.j : noun.j + _SEATED]] or [""]
+    on_board = opened in word_list("aboard") and bool(word_list("whose") & {*after[:1]})
+    return laden or (on_board and not word_list("seats").isdisjoint(after))
 
 
 def _along(mention: Mention) -> bool:
@@ -205,6 +223,9 @@ def _aside(chunks: list[Chunk], events: list[Event]) -> None:
     named = [c for c in chunks if isinstance(c, Mention)]
     asked = {id(m) for m in named[:1] if is_pronoun(m) and any(map(tells, named))}
     for event in events:
+        for noun in event.nouns() if "absent" in event.data else []:
+            if isinstance(noun, Mention) and noun.opened_by("indef"):
+                noun.negated = True
         told = [p.target for p in event.pps if p.value == "to"]
         for mention in [*event.subject, event.object, *told] if "says" in event.data else []:
             onlooks = isinstance(mention, Mention) and any(

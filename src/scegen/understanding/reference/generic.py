@@ -7,7 +7,7 @@ from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Entity
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at
+from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at, value_at
 from scegen.understanding.reference.mention_words import KINDS
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
@@ -29,6 +29,7 @@ def mark_generic(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
         for p in e.pps
         if any(m.pronoun == "all" and m.head is None for m in e.subject)
     }
+    acting = {id(m) for e in events for m in e.subject}
     _what_lies_there(chunks, events)
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Mention) or chunk.head is None:
@@ -36,9 +37,13 @@ def mark_generic(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
         if id(chunk) in each and any(p.value == "ahead" for p in chunk.pps):
             chunk.negated = True  # "each 20 m from the car in front": the next of them
         if chunk.prep is None:
-            chunk.negated = chunk.negated or _only_the_scene(chunk, k, chunks)
+            unmet = _only_the_scene(chunk, k, chunks) or _called_to(chunk, k, chunks, tokens)
+            chunk.negated = chunk.negated or unmet
             continue
         chunk.negated = chunk.negated or _fits(chunk, chunk.prep, tokens)
+        alike = tokens[chunk.prep.j - 1].low in word_list("comparing")  # "as fast as a train"
+        alike = alike and chunk.opened_by("indef") and not (chunk.pps or id(chunk) in acting)
+        chunk.negated = chunk.negated or alike
         several = chunk.plural and chunk.mod("det", "num", "quant") is None
         lit = any(isinstance(c, Place) and c.kind == "signal" for c in chunks[max(0, k - 4) : k])
         later = (m for m in chunks[k + 1 :] if isinstance(m, Mention) and not m.is_mass)
@@ -77,6 +82,16 @@ def _fits(mention: Mention, prep: Term, tokens: list[Token]) -> bool:
     return prep.value == "for" and not known and bool(no_room or before & word_list("wide"))
 
 
+def _called_to(mention: Mention, k: int, chunks: list[Chunk], tokens: list[Token]) -> bool:
+    """``Mum, that lorry is braking!``: somebody who is spoken to."""
+    around = value_at(chunks, k - 1), value_at(chunks, k + 1)
+    listed = chunk_at(chunks, k + 2)  # "mum, dad and a dog cross"
+    opens = around[0] in {*BOUNDARIES, ",", ""} and around[1] in {",", "!"}
+    bare = isinstance(listed, Mention) and not (listed.mods or listed.is_ego)
+    alone = opens and not (mention.mods or bare)
+    return alone and tokens[mention.j - 1].low in word_list("relatives")
+
+
 def _only_the_scene(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
     """``Stop-and-go traffic on a ring road; the car ahead …``: where it all takes place."""
     opens = k == 0 or chunks[k - 1].value in BOUNDARIES
@@ -95,7 +110,7 @@ _OWED = frozenset({"yield", "stop", "brake", "slow", "wait", "turn", "move", "u_
                    "inert", "leave", "swerve", "lane_change", "accelerate",
                    "reverse"})  # fmt: skip
 """What is told of everybody when nobody does it."""
-_HIDING = frozenset({"hide", "block"})
+_UNDONE = frozenset({"hide", "block", "encounter"})
 """What is not done if nothing does it; it is told of nobody in particular."""
 _ASKED = frozenset({"inert", "try", "encounter", "light"})
 _NONE = frozenset({"nobody", "everybody"})
@@ -104,13 +119,17 @@ _NONE = frozenset({"nobody", "everybody"})
 def deny_of_everybody(events: list[Event]) -> None:
     """``no driver gives way``, ``nobody may turn left``: everybody does not."""
     for event in events:
+        whom = [n for n in event.nouns("to", "for") if isinstance(n, Mention)]
+        nobody = event.name in _LETTING_BY and any(m.pronoun == "nobody" for m in whom)
+        event.negated = event.negated or nobody  # "gives way to nobody"
         named = [m for m in event.subject if m.negated or m.pronoun in _NONE]
-        verbal = not event.nominal and event.name in _OWED | _HIDING
+        verbal = not event.nominal and event.name in _OWED | _UNDONE
         if not named or not verbal or event.form == "ing":
             continue
-        if event.name in _HIDING:
-            none = (m.has("det", "negative") or m.pronoun in _NONE for m in named)
-            event.negated = event.negated or any(none)
+        if event.name in _UNDONE:
+            none = any(m.has("det", "negative") or m.pronoun == "nobody" for m in named)
+            event.negated = event.negated or none
+            event.unable = event.unable or (none and event.name == "encounter")
             continue
         event.negated = True
         for mention in named:

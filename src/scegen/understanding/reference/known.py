@@ -10,6 +10,7 @@ from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.egos import the_ego
 from scegen.understanding.reference.mention_words import (
     DEFAULT_COUNT,
+    ENDS,
     Reading,
     elsewhere,
     states_of,
@@ -19,7 +20,6 @@ from scegen.understanding.reference.roster import Roster
 _A_PAIR = 2
 _LOOKS_WITHIN = 3
 """Words in which a driver "who looks forward" is said to."""
-_ALONG = {"front": "ahead", "rear": "behind"}
 
 
 def known(
@@ -110,7 +110,7 @@ def _several(
     pair = mention.mod("num") is None or reading.count == _A_PAIR
     if reading.det == "def" and pair and len(fitting) == 1 and not fitting[0].ego:
         moving = not (reading.dirs or reading.parked or fitting[0].parked)
-        if moving and roster.draft.ego is None:  # "between the vehicles"
+        if moving and fitting[0].is_vehicle and roster.draft.ego is None:  # "between the vehicles"
             ego = the_ego(roster, ParticipantKind.CAR, Basis(mention.i, mention.j))
             return [*fitting, ego]
     if reading.det == "bare" and not reading.vague:
@@ -203,6 +203,6 @@ def _from_there(entity: Entity, reading: Reading) -> bool:
     across = {"left", "right"} if "lateral" in reading.dirs else set[str]()
     if any(known and known <= reading.dirs | across for known in (entity.dirs, entity.sides)):
         return True
-    dirs = {_ALONG.get(d, d) for d in reading.dirs}
+    dirs = {ENDS.get(d, d) for d in reading.dirs}
     along = dirs <= {"ahead", "behind"} and entity.dirs <= dirs
     return (along and dirs <= entity.loci | entity.dirs) or dirs <= entity.sides

@@ -14,6 +14,8 @@ from scegen.understanding.words.tokens import Token, base_words
 KINDS = {kind.value: kind for kind in ParticipantKind}
 _VAGUE_COUNTS = {"couple": 2, "pair": 2, "few": 3, "several": 3, "multiple": 3, "various": 3}
 _MANY = 4
+ENDS = {"front": "ahead", "rear": "behind"}
+"""Where the front one, and the rear one, of two is."""
 DEFAULT_COUNT = 2
 _PEOPLE = frozenset({"driver", "rider", "pedestrian", "adversary"})
 
@@ -184,10 +186,6 @@ def refers_to_nobody(mention: Mention) -> bool:
     )
     if mass and prep in {"in", "of", "for"}:
         return True
-    gathered = bool(mention.mods) and mention.mods[0].cat in {"det", "quant"}
-    gathered = gathered and mention.mods[0].j - mention.mods[0].i > 1
-    if gathered and prep == "with" and mention.is_mass:
-        return True  # "travels with the flow of traffic"
     place = mention.pronoun == "ordinal" and prep == "in"  # "at the first junction …, the second"
     return place or mention.negated or mention.pronoun in {"reflexive", "nobody"}
 

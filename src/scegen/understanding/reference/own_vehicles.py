@@ -20,7 +20,8 @@ ONLY_VEHICLES = frozenset(
 )  # fmt: skip
 _BY_TRADE = frozenset({"bus", "truck", "van", "car", "emergency_vehicle", "motorcycle", "bicycle"})
 _ENDS = frozenset({"ahead", "behind"})
-_DRIVEN = ONLY_VEHICLES | {"reverse", "move", "turn", "stop", "speed", "lose_control"}
+_STEERED = frozenset({"move", "turn", "u_turn", "stop", "slow", "brake", "park", "swerve"})
+_DRIVEN = ONLY_VEHICLES | _STEERED | {"speed", "lose_control"}
 
 
 def whole_for_part(chunks: list[Chunk], _: object) -> list[Chunk]:
@@ -62,9 +63,10 @@ def _own_vehicles(events: list[Event]) -> None:
         if not isinstance(what, Mention) or not event.subject or event.name not in _DRIVEN:
             continue
         who = event.subject[-1]
-        operates = event.lemma in word_list("operating")
-        driven = operates and (is_somebody(who) or tells(who))
-        driven = driven or (event.name == "reverse" and is_somebody(who))  # "a man backs a van out"
+        driven = event.lemma in word_list("operating") or event.name == "reverse"
+        driven = driven and (is_somebody(who) or tells(who))  # "a man backs a van out"
+        own = tells(who) and event.name in _STEERED  # "I stopped the car"
+        driven = driven or (own and what.opened_by("def"))
         if what.heads and not what.label and (what.opened_by("its") or driven):
             what.same_as = who
             who.marks.add("drives")
@@ -77,17 +79,21 @@ def _vehicles_of_parties(chunks: list[Chunk]) -> None:
         if not isinstance(chunk, Mention) or owner is None or not chunk.heads:
             continue
         drives = any("driver" in h.data for h in owner.heads) and not is_somebody(chunk)
-        if drives or chunk.noun == "driver":
+        if chunk.goes_by is None and (drives or chunk.noun == "driver"):
             chunk.same_as = owner
 
 
 def _drivers(events: list[Event]) -> None:
-    """``a van driven by a student``: the student drives it."""
-    for event in events:
-        driven = event.lemma in word_list("operating") and event.form == "ed"
-        for prep in event.pps if driven and event.subject else []:
-            if prep.value == "by" and prep.who is not None and is_somebody(prep.who):
-                prep.who.same_as = event.subject[-1]
+    """``a van driven by a student``: the student drives it; ``towed by a truck``: the truck."""
+    for event in (e for e in events if e.form == "ed" and e.subject):
+        by = [p.who for p in event.pps if p.value == "by" and p.who is not None]
+        if event.lemma in word_list("operating"):
+            for who in filter(is_somebody, by):
+                who.same_as = event.subject[-1]
+        elif event.name == "tow" and by:
+            event.subject[-1].negated, towed = True, event.subject
+            for other in (e for e in events if e.subject == towed):
+                other.subject = by
 
 
 def _ridden(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:

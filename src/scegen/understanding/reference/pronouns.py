@@ -8,6 +8,7 @@ from scegen.understanding.clauses.located import loci_of
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.generic import everybody
+from scegen.understanding.reference.mention_words import ENDS
 from scegen.understanding.reference.roster import Roster, claimed
 from scegen.understanding.words.numbers import POSITIONS
 
@@ -190,7 +191,11 @@ def _known_one(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[
     others = [e for e in roster.recent if e.is_vehicle and not e.ego and e not in exclude]
     if _word(roster, mention) in word_list("pointing"):
         return others[-1:]
-    there = loci_of(mention)
+    colour = next((roster.tokens[m.i].low for m in mention.mods if m.value == "colour"), None)
+    if colour is not None:  # "the grey one": nobody who is called white
+        words = [{t.low for t in roster.tokens[e.basis.i or 0 : e.basis.j or 0]} for e in others]
+        return [e for e, own in zip(others, words, strict=True) if colour in own][-1:]
+    there = loci_of(mention) | {ENDS.get(d, d) for d in mention.dirs}
     placed = [e for e in others if e.loci & there]
     alone = bool(there) and len(others) == 1 and not others[0].loci
     return placed[-1:] or (others if alone else [])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.clauses.located import is_it
@@ -119,6 +121,10 @@ def _resolve(mention: Mention, roster: Roster, bonds: Bonds) -> None:
         if not there and (by is None or any(e.ego for e in by.entities)):
             for entity in who.entities:
                 entity.loci |= {locus}
+        elif by is not None and not egos:  # "one car follows another; the leading car brakes"
+            for entity, place in (*product(who.entities, [locus]),
+                                  *product(by.entities, [_BACKWARDS[locus]])):  # fmt: skip
+                entity.loci |= {place}
 
 
 def _seen_from_the_ego(mention: Mention, placed: list[Mention], events: list[Event]) -> set[str]:

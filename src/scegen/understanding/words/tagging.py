@@ -86,7 +86,8 @@ def _is_clause(match: Match, tokens: list[Token], i: int, previous: Term) -> boo
     within = low_at(tokens, previous.i - 2) in {"in", "from"}
     several = changes and within  # "the ego and a van in the right lane change to the left one"
     inflected = match.form == "s" or several
-    if match.j - i != 2 or not inflected or not (changes or match.only(*_NOUNS)):
+    last = match.j - 1
+    if last == i or not inflected or not (changes or match.only(*_NOUNS)):
         return False
     before = previous.cat or "punct"
     known = any(t.low == tokens[i].low for t in tokens[:i])  # "ego follows a bus; bus stops"
@@ -94,10 +95,10 @@ def _is_clause(match: Match, tokens: list[Token], i: int, previous: Term) -> boo
     singular = singular or (known and before in {"punct", "conj"})
     after, number = low_at(tokens, match.j), tokens[match.j + 1 : match.j + 2]
     rated = after in {"with", "at"} and any(t.kind == "number" for t in number)
-    verb = longest_match(tokens, i + 1, i + 2)  # "stops", not "stops and goes"
-    verbal = begins(tokens, i + 1, "verb") or (verb is not None and verb.has("verb"))
+    verb = longest_match(tokens, last, match.j)  # "stops", not "stops and goes"
+    verbal = begins(tokens, last, "verb") or (verb is not None and verb.has("verb"))
     verbal = verbal and (not changes or after in {"to", "into", "onto", "lanes"})
-    alone = longest_match(tokens, i, i + 1)
+    alone = longest_match(tokens, i, last)
     return (singular or rated) and verbal and alone is not None and alone.has("actor", "place")
 
 
@@ -204,9 +205,10 @@ def _cut_down(match: Match, tokens: list[Token], i: int, previous: Term) -> Matc
     if (
         (_undergone(tokens, i) and tokens[match.j - 1].low == "by")  # "driven by a student"
         or (token.low == "right" and match.only("sub") and previous.cat in _TURNING)
-        or _is_clause(match, tokens, i, previous)
     ):
         return longest_match(tokens, i, i + 1)
+    if _is_clause(match, tokens, i, previous):
+        return longest_match(tokens, i, match.j - 1)
     cut: Match | None = match
     if then_a_noun(tokens, match) or over_a_place(tokens, match):
         cut = longest_match(tokens, i, match.j - 1)
