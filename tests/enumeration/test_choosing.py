@@ -117,6 +117,24 @@ def test_coverage_counts_scenarios_and_names_what_is_missing():
     assert reached.missing
 
 
+def test_who_is_met_keeps_its_course_where_no_turn_is_said():
+    functional = FunctionalScenario.model_validate(
+        {
+            "description": "made for a test",
+            "junction": {"kind": "t", "arms": 3},
+            "participants": [
+                {"id": "ego", "role": "ego", "entries": [2], "maneuvers": ["left"]},
+                {"id": "bus", "kind": "bus", "approaches": ["right"]},
+            ],
+        }
+    )
+    every = enumerate_scenarios(functional).scenarios
+    turns = {d.turn for s in every for d in s.drives if d.participant == "bus"}
+    assert turns == {Maneuver.STRAIGHT, Maneuver.LEFT}
+    first = min(every, key=lambda s: richest_first(s, functional))
+    assert Maneuver.STRAIGHT in {d.turn for d in first.drives if d.participant == "bus"}
+
+
 def test_an_ego_of_which_no_turn_is_said_keeps_its_course():
     functional = FunctionalScenario.model_validate(
         {

@@ -25,17 +25,17 @@ def richness(scenario: LogicalScenario, functional: FunctionalScenario) -> int:
     )
 
 
-def richest_first(
-    scenario: LogicalScenario, functional: FunctionalScenario
-) -> tuple[int, bool, int, int, int]:
+def richest_first(scenario: LogicalScenario, functional: FunctionalScenario) -> tuple[int, ...]:
     """A key to sort by: rich before poor, of equally rich ones the plainest first.
 
-    But who reverses at a junction comes out of an arm, as out of a drive, where it can; and an ego
-    of which no turn is said keeps its course.
+    But who reverses at a junction comes out of an arm, as out of a drive, where it can; and of whom
+    no turn is said keeps its course: the ego always, others where they meet somebody nevertheless.
     """
     ego = functional.ego
     turning = {d.participant for d in scenario.drives if d.turn is not Maneuver.STRAIGHT}
-    strays = not ego.maneuvers and ego.id in turning
+    strays = {p.id for p in functional.participants if not p.maneuvers} & turning
+    meeting = {n for c in scenario.conflicts if _WEIGHT[c.kind] > 1 for n in (c.first, c.second)}
     junction = functional.junction.kind is not JunctionKind.STRAIGHT
     odd = sum(junction and drive.reverses is Reverses.BACKS_UP for drive in scenario.drives)
-    return odd, strays, -richness(scenario, functional), len(turning), scenario.index
+    plain = ego.id in strays, -len(meeting), len(strays)
+    return odd, *plain, -richness(scenario, functional), len(turning), scenario.index

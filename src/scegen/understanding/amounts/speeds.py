@@ -176,7 +176,7 @@ def relative(figure: Figure) -> bool:
     return True
 
 
-_WAITS = frozenset({"wait", "yield", "cause"})
+_WAITS = frozenset({"wait", "yield", "cause", "hide"})
 _FROM_REST = frozenset({"pull_out", "unpark", "reverse", "door", "leave"})
 _BESIDES = frozenset({"prep", "locus", "manner", "aux"})
 

@@ -12,6 +12,7 @@ _PASSING = frozenset({"overtake", "pass", "undertake"})
 _MET = _PASSING | {"collide"}
 _OUT, _HALVES = frozenset({"overtake", "bypass"}), frozenset({"lane", "side"})
 _ASIDE = frozenset({",", "unknown", "inert"})
+_AT_REST = frozenset({"park", "wait", "stop"})
 
 
 def preposition(word: Term, state: State) -> None:
@@ -128,12 +129,22 @@ def _told_of(prep: Prep, state: State) -> Event:
 
     So it does in "steps out from behind a van parked there, 10 m ahead of the ego".
     """
+    outer = outside(state)
     closed = "," in state.between and (prep.names("side") or prep.outer == "from")
-    last = state.events[-1]
-    if "," in state.between and prep.who is not None and last.name == "park" and not last.finite:
-        return next((e for e in reversed(state.events) if e.finite), last)
     around = (e for e in reversed(state.events) if not e.embedded and e.name in _MET)
-    return next(around, last) if closed and last.embedded else last
+    return next(around, outer) if closed and outer.embedded else outer
+
+
+def outside(state: State, number: Term) -> Event:
+    """``comes from behind a van parked there, at 8 km/h``: a comma closes where somebody stands.
+
+    So does a speed: ``hits a van standing there at 50 km/h``.
+    """
+    last = state.events[-1]
+    put_in = last.name in _AT_REST and (last.embedded or not last.finite)
+    outer = [e for e in state.events if put_in and e.finite and not e.embedded]
+    closed = "," in state.between or number.value == "speed"
+    return outer[-1] if outer and closed else last
 
 
 def _of_the_one_listed(prep: Prep, state: State) -> None:

@@ -11,9 +11,8 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.clauses import subjects
-from scegen.understanding.clauses.attachment import preposition, release
+from scegen.understanding.clauses.attachment import outside, preposition, release
 from scegen.understanding.clauses.further import close_relative
-from scegen.understanding.clauses.located import RESTING
 from scegen.understanding.clauses.nominals import read_mention, read_noun
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.lookahead import (
@@ -170,20 +169,14 @@ class ClauseReader:
         elif before_event and (not after_event or waits) and word.cat not in {"dir", "compass"}:
             state.ahead.append(word)
         elif state.events and not self._clause_start():
-            self._told_of(word).mods.append(word)
+            told = outside(state, word) if word.cat == "quantity" else state.events[-1]
+            told.mods.append(word)
         elif state.candidate is not None:
             state.candidate.mods.append(word)
         elif word.cat == "manner" and isinstance(state.at(1 + (following.value == ",")), Mention):
             state.ahead.append(word)  # "Suddenly a van …", "In reverse, the ego …"
         elif self.events and not state.mentions and word.cat != "quantity":
             self.events[-1].mods.append(word)
-
-    def _told_of(self, word: Term) -> Event:
-        """The verb before it; no speed is that of who rests: ``hits a van standing there at …``."""
-        events = self._state.events
-        rest = RESTING if (word.cat, word.value) == ("quantity", "speed") else frozenset()
-        moving = [e for e in events if e.finite or (e.name, e.form) not in rest]
-        return (moving or events)[-1]
 
     def _denied_way(self, word: Term) -> bool:
         """``turns right, not left``."""
