@@ -29,7 +29,7 @@ from scegen.scenario.vocabulary import Maneuver, ParticipantKind
 
 _SIDEWAYS = 0.9
 """The share of the grip that a bend may take."""
-_WORTH_IT, _ENDS_M = 0.98, 1.0
+_WORTH_IT, _ENDS_M, _NEAR_S = 0.98, 1.0, 3.0
 _SHORT_M = 1.0
 """From the front bumper of one who stops to the stop line, and as early before a bend."""
 
@@ -216,24 +216,27 @@ class DriveDraft:
         """Slowing down for bends and at stop lines (red, a sign), and speeding up after them.
 
         The comfortable speed in a bend is sqrt(lateral acceleration * radius) of the lane driven;
-        from the first to the last bend that is too narrow for ``speed_mps`` the least of these is
-        kept.
+        through bends that are too narrow for ``speed_mps``, and near each other, the least of
+        these is kept.
         """
         lateral = min(self.lateral_mps2, _SIDEWAYS * self.grip_mps2)
         faster = self.acceleration_mps2(COMFORTABLE_ACCELERATION_MPS2)
-        limits = [(begin, end, sqrt(lateral * radius)) for begin, end, radius in self.laid.bends]
-        bends = [limit for limit in limits if limit[2] < self.speed_mps * _WORTH_IT]
-        speed = min((limit for _, _, limit in bends), default=self.speed_mps)
-        marks: list[SpeedChange] = []
+        limits = ((begin, end, sqrt(lateral * radius)) for begin, end, radius in self.laid.bends)
+        narrow: list[tuple[float, float, float]] = []
+        for begin, end, speed in limits:
+            if speed >= self.speed_mps * _WORTH_IT:
+                continue
+            near = narrow and begin - narrow[-1][1] < _NEAR_S * self.speed_mps
+            first, _, slowest = narrow.pop() if near else (begin, end, speed)
+            narrow.append((first, end, min(speed, slowest)))
+        marks = [self._slow_before(begin, speed) for begin, _, speed in narrow]
         if self.stops_at_line or self.waits_s is not None:
             stands_s = STOPS_FOR_S if self.waits_s is None else self.waits_s
+            speed = narrow[0][2] if narrow else self.speed_mps
             on = SpeedChange(speed, faster, sort=Sort.GOES_ON, then_s=stands_s)
-            marks.append(self._slow_before(self.stop_line_s_m - self.body.front_m, 0.0, on))
-        elif bends:
-            marks.append(self._slow_before(bends[0][0], speed))
-        if bends:
-            on_mps = max(self.speed_mps, self.joins_mps)
-            marks.append(SpeedChange(on_mps, faster, s_m=bends[-1][1], sort=Sort.FREES))
+            marks[:1] = [self._slow_before(self.stop_line_s_m - self.body.front_m, 0.0, on)]
+        on_mps = max(self.speed_mps, self.joins_mps)
+        marks += [SpeedChange(on_mps, faster, s_m=end, sort=Sort.FREES) for _, end, _ in narrow]
         return marks
 
     def _slow_before(

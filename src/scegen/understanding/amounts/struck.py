@@ -8,6 +8,7 @@ from scegen.scenario.model import Interval
 from scegen.scenario.outcome import BodySide, OutcomeKind
 from scegen.scenario.spacings import CONTACT, Measure
 from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind, Side
+from scegen.understanding.amounts.contact_nouns import bare
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import NounPhrase, Place, Thing
 from scegen.understanding.entity import Basis, Entity
@@ -50,9 +51,7 @@ def _struck(ending: Ending, text: Telling) -> None:
         of_road = any(c.i == place.j + 1 for c in roads) and text.tokens[place.j].low == "of"
         if text.tokens[place.i - 2].low == "overlap" or of_road:
             continue
-        corner = "front" in place.dirs and bool(_SIDES & set(place.dirs))
-        part = next((_PARTS[d] for d in place.dirs if d in _PARTS), None)
-        part = BodySide.FRONT if corner else part
+        part = _part(place, ending, text)
         portion = part_of[id(place)]
         whose = _owner(place, portion, ending, text)
         egos = whose is text.ego
@@ -60,8 +59,9 @@ def _struck(ending: Ending, text: Telling) -> None:
         if part is None or whose is None or (flank and not _hit(place, whose, ending, text)):
             continue
         basis = Basis(place.i, place.j)
+        corner = part is BodySide.FRONT and not _SIDES.isdisjoint(place.dirs)
         half = portion or (place if corner else None)
-        if half is not None and _is_middle(half) and egos and ending.struck is None:
+        if half is not None and _is_middle(half) and egos and not (flank or ending.struck):
             words = Basis(min(half.i, place.i), max(half.j, place.j))
             ending.impact = Amount(Interval(low=_HALF, high=_HALF), words)
         elif half is not None and egos and part is BodySide.FRONT:
@@ -82,20 +82,30 @@ def _struck(ending: Ending, text: Telling) -> None:
         ending.impact = Amount(Interval(low=_HALF, high=_HALF), Basis(*middle))
 
 
+def _part(place: Place, ending: Ending, text: Telling) -> BodySide | None:
+    """Which part a place on a body is: of "the side" that from which the other comes."""
+    if not place.dirs and place.kind != "front":
+        return _side_faced(ending, text)
+    corner = "front" in place.dirs and not _SIDES.isdisjoint(place.dirs)
+    parts = (_PARTS[d] for d in place.dirs if d in _PARTS)
+    return BodySide.FRONT if corner else next(parts, None)
+
+
 def _by_the_verb(ending: Ending, text: Telling) -> None:
     """``rear-ends``, ``hits it from behind``: with its front, in the other's rear."""
     done = [s for s in text.scenes if s.event.i == ending.basis.i]
     if ending.struck is None and any(_backs_into(s, text) for s in done):
         ending.struck, ending.struck_basis = BodySide.REAR, ending.basis
-    into = [s for s in done if s.targets and s.event.lemma in word_list("into_the_side")]
-    if into and ending.struck is None and text.ego in ending.between:
-        ending.struck_basis = ending.basis
-        ending.struck = BodySide.FRONT if text.ego in into[0].actors else _side_faced(ending, text)
-    hit = next((s for s in done if from_the_rear(s.event, text.context)), None)
-    if hit is None or ending.struck is not None or text.ego not in ending.between:
+    if ending.struck is not None or text.ego not in ending.between:
         return
-    egos = text.ego in hit.actors
-    if egos or text.ego in hit.targets or ending.other in hit.actors:
+    hit = next((s for s in done if from_the_rear(s.event, text.context)), None)
+    along, into = word_list("along_the_side"), word_list("into_the_side")
+    for scene in (s for s in done if s.event.lemma in along | into and hit is None):
+        rams = text.ego in scene.actors and scene.event.lemma in into
+        ending.struck_basis = ending.basis
+        ending.struck = BodySide.FRONT if rams else _side_faced(ending, text)
+    egos = hit is not None and text.ego in hit.actors
+    if hit is not None and (egos or text.ego in hit.targets or ending.other in hit.actors):
         ending.struck = BodySide.FRONT if egos else BodySide.REAR
         ends = [ending.basis.j or 0, *(p.place.j for p in hit.event.pps if p.place is not None)]
         ending.struck_basis = Basis(ending.basis.i, max(ends))
@@ -104,8 +114,9 @@ def _by_the_verb(ending: Ending, text: Telling) -> None:
 def _side_faced(ending: Ending, text: Telling) -> BodySide | None:
     """The ego's side from which the other comes, as far as the ego goes straight."""
     turns = text.ego is None or text.ego.maneuvers - {Maneuver.STRAIGHT}
-    sides = (a for a in SIDES if ending.other and text.context.placed(ending.other, SIDES[a]))
-    return None if turns else next((_PARTS[side] for side in sides), None)
+    of = ending.other
+    sides = [a for a in SIDES if of and (a in of.sides or text.context.placed(of, SIDES[a]))]
+    return None if turns or len(sides) != 1 else _PARTS[sides[0]]
 
 
 def _backs_into(scene: Clause, text: Telling) -> bool:
@@ -119,7 +130,7 @@ def _head_on_into(place: Place, ending: Ending, text: Telling) -> bool:
     """``the ego hits the side of a van``: with its front, unless along that side."""
     done = [s for s in text.scenes if s.event.i == ending.basis.i and text.ego in s.actors]
     across = any(s.event.lemma not in word_list("along_the_side") for s in done)
-    return across and bool(_SIDES & set(place.dirs))
+    return across and (not place.dirs or bool(_SIDES & set(place.dirs)))
 
 
 def _hit(place: Place, whose: Entity, ending: Ending, text: Telling) -> bool:
@@ -129,7 +140,8 @@ def _hit(place: Place, whose: Entity, ending: Ending, text: Telling) -> bool:
     is_hit = any(text.ego in s.targets and text.ego not in s.actors for s in here)
     told = place.owner is not None or place.has("possessive")
     direct = any(s.event.object is place or s.event.i == place.j for s in here)
-    met = direct or (prep in {"in", "into", "against"} and told)
+    noun = all(s.event.nominal or bare(s.event, text) for s in here)  # "contact: our left side"
+    met = direct or (told and (noun or prep in {"in", "into", "against"}))
     return met or (whose.ego and (prep in {"by", "with"} or (prep == "in" and is_hit)))
 
 
@@ -212,7 +224,7 @@ def _owner(
         return None
     direct = scene.event.object is head
     prep = place.opening
-    if prep == "in" and scene.event.name == "collide" and scene.targets:
+    if prep == "in" and scene.event.name == "collide" and scene.targets and place.i > i:
         return scene.targets[0]  # "hits us in the side", "is hit on its right side"
     flank = bool(_SIDES & set(place.dirs))
     met = direct or (prep == "into" and (flank or not scene.event.passive))

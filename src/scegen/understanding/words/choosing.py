@@ -206,8 +206,10 @@ def _relates(match: Match, tokens: list[Token], previous: Term) -> bool:
 
 def _before_a_noun(match: Match, tokens: list[Token]) -> bool:
     """``the red car``, ``the red one``: a colour; ``the red`` alone is a light."""
-    one = low_at(tokens, match.j) in {"one", "ones"}
-    return one or begins(tokens, match.j, "actor", "place", "label")
+    after = low_at(tokens, match.j)
+    noun = begins(tokens, match.j, "actor", "place", "label")
+    we = after in word_list("first_person")  # "as it turns green we set off"
+    return after in {"one", "ones"} or (noun and not we)
 
 
 _PRIORITY = (
