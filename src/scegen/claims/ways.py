@@ -67,10 +67,10 @@ class Way:
 
     @property
     def halts(self) -> bool:
-        """Whether a driver's program ends at rest: it stops on its way and stays."""
-        program = self.participant.speed_program
+        """Whether a driver ends at rest: it stops on its way and stays, or stands all the time."""
+        speeds = [p.target_speed_mps for p in self.participant.speed_program]
         drives = isinstance(self.participant.motion, DriveMotion)
-        return drives and bool(program) and program[-1].target_speed_mps == 0.0
+        return drives and [self.participant.speed_mps, *speeds][-1] == 0.0
 
     def curvature_1pm(self, s_m: Floats) -> Floats:
         """The change of heading per metre at places: that in the middle of every piece, between."""

@@ -16,6 +16,7 @@ from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.encounters import pairs, same_arm
 from scegen.concretization.leaving import goes_outwards
 from scegen.concretization.meetings import ways_touch
+from scegen.concretization.roads import passing_who_hides
 from scegen.concretization.setup import NeedsLongerArms, Setup
 from scegen.concretization.tale import SIDEWAYS
 from scegen.concretization.turning_ways import abreast, is_outward, lanes_abreast
@@ -119,6 +120,9 @@ def _from_words(scene: Setup) -> Iterator[Wish]:
 
 def _from_dangers(scene: Setup) -> Iterator[Wish]:
     """Who reverses does so in the lane of the other; who cuts in in a ring comes from inside."""
+    for name, hiding in passing_who_hides(scene.functional, scene.logical.drives):
+        outside = _steps(lambda out: out > 0)
+        yield Wish((name, hiding), SAID, outside, f"{name} passes {hiding} by, which hides it")
     for hazard in scene.functional.hazards:
         for cause, sufferer in pairs(scene, hazard):
             if hazard.kind is HazardKind.REVERSING and same_arm(cause, sufferer):

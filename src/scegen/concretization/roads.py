@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from scegen.concretization.limits import LATERAL_MPS2
 from scegen.concretization.tale import SIDEWAYS, SWERVING, changes_before_turning
 from scegen.concretization.turning_ways import lanes_to_turn_back, turning_back, with_turns
@@ -16,7 +18,7 @@ from scegen.scenario.logical import Drive, LogicalScenario, Standing
 from scegen.scenario.road_parameters import RoadParameters
 from scegen.scenario.roadway import BAYS
 from scegen.scenario.speed_limits import implied_limit_mps
-from scegen.scenario.vocabulary import HazardKind, JunctionKind
+from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver
 
 FIRST_ARM_M = 100.0
 _PER_FURTHER_DRIVE_M, _FEW_DRIVES = 45.0, 3
@@ -79,7 +81,7 @@ def _min_lanes(functional: FunctionalScenario, logical: LogicalScenario) -> int:
     roundabout = functional.junction.kind is JunctionKind.ROUNDABOUT
     drives = logical.drives
     kinds = {hazard.kind for hazard in functional.hazards}
-    beside = any(drive.beside for drive in drives)
+    beside = bool(passing_who_hides(functional, drives)) or any(d.beside for d in drives)
     sideways = any(drive.maneuver in SIDEWAYS and _among(drive, drives) for drive in drives)
     plain = functional.junction.kind is JunctionKind.STRAIGHT
     beside_kinds = _SIDE_BY_SIDE_HAZARDS | (FROM_BESIDE if plain else frozenset())
@@ -89,6 +91,20 @@ def _min_lanes(functional: FunctionalScenario, logical: LogicalScenario) -> int:
     changes = any(changes_before_turning(functional, drive) for drive in drives)
     wide = sideways or swerves or changes or (together and not roundabout)
     return 2 if beside or (wide and not oncoming) else 1
+
+
+def passing_who_hides(
+    functional: FunctionalScenario, drives: Iterable[Drive]
+) -> list[tuple[str, str]]:
+    """(who goes by, who stands) of those on one arm of whom one hides others by standing there."""
+    hides = {n for h in functional.hazards if h.kind is HazardKind.OCCLUSION for n in h.by}
+    stands = [d for d in drives if d.participant in hides and d.maneuver is Maneuver.STAY]
+    return [
+        (drive.participant, other.participant)
+        for other in stands
+        for drive in drives
+        if drive.entry == other.entry and drive is not other
+    ]
 
 
 def _among(drive: Drive, drives: tuple[Drive, ...]) -> bool:

@@ -106,7 +106,7 @@ def test_without_advice_the_search_is_as_it_was(says):
 
 
 def test_nobody_is_asked_where_nothing_has_to_change(says):
-    functional, concrete = made(paper_cases()[2].text, 1)
+    functional, concrete = made(paper_cases()[3].text)
     asked = says()
     raised = raise_criticality(functional, concrete, proposer=asked)
     assert raised.proof.in_band_before

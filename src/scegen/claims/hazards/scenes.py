@@ -28,7 +28,8 @@ def judged_pairs(concrete: ConcreteScenario) -> list[Pair]:
 def occlusions(concrete: ConcreteScenario) -> list[tuple[str, str, str]]:
     """(observer, target, occluder) of the dangers of occlusion.
 
-    Who is hidden is who endangers the observer otherwise; if nobody does, everybody who moves.
+    Who is hidden is who endangers the observer, or is endangered by it, otherwise; if nobody is,
+    everybody who moves.
     """
     movers = [p.id for p in concrete.participants if not p.parked]
     found = []
@@ -37,7 +38,8 @@ def occlusions(concrete: ConcreteScenario) -> list[tuple[str, str, str]]:
             continue
         for occluder, observer in hazard_pairs(hazard):
             meets = {who for h in concrete.hazards if observer in h.to for who in h.by}
-            meets &= {*movers}
+            meets |= {who for h in concrete.hazards if observer in h.by for who in h.to}
+            meets &= {*movers} - {occluder}
             found += [
                 (observer, target, occluder)
                 for target in movers

@@ -272,7 +272,8 @@ def finishing(view: View, pair: tuple[str, str] | tuple[()] = ()) -> tuple[Float
         if way.halts:
             moves = view.speed_mps(participant.id) >= STANDING_MPS
             missing += np.where(moves[:, -1], 0.5, 0.0)
-            last = np.maximum(last, (steps - moves[:, ::-1].argmax(axis=1)) * view.dt_s)
+            stops = np.where(moves.any(axis=1), steps - moves[:, ::-1].argmax(axis=1), 0)
+            last = np.maximum(last, stops * view.dt_s)
             continue
         if participant.speed_program:
             last = np.maximum(last, _settled_s(view, participant.id))

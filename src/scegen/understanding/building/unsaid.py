@@ -36,7 +36,8 @@ def maneuvers_of(entity: Entity, junction: Junction, draft: Draft) -> set[Maneuv
         entity.maneuver_basis = entity.stands
         return {Maneuver.STAY}
     bides = entity.told.get("bides")
-    if bides is not None and entity.sets_off < 0 and _met_from_behind(entity, draft):
+    stands = _met_from_behind(entity, draft) or entity in draft.causing(HazardKind.OCCLUSION)
+    if bides is not None and entity.sets_off < 0 and stands:
         entity.maneuver_basis = bides.because("it waits, and nothing says that it turns")
         if entity.ego:
             entity.speed, entity.speed_basis = STILL, bides
