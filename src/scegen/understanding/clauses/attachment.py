@@ -135,7 +135,7 @@ def _told_of(prep: Prep, state: State) -> Event:
     return next(around, outer) if closed and outer.embedded else outer
 
 
-def outside(state: State, number: Term) -> Event:
+def outside(state: State, number: Term | None = None) -> Event:
     """``comes from behind a van parked there, at 8 km/h``: a comma closes where somebody stands.
 
     So does a speed: ``hits a van standing there at 50 km/h``.
@@ -143,7 +143,7 @@ def outside(state: State, number: Term) -> Event:
     last = state.events[-1]
     put_in = last.name in _AT_REST and (last.embedded or not last.finite)
     outer = [e for e in state.events if put_in and e.finite and not e.embedded]
-    closed = "," in state.between or number.value == "speed"
+    closed = "," in state.between or (number is not None and number.value == "speed")
     return outer[-1] if outer and closed else last
 
 
