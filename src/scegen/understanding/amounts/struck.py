@@ -85,7 +85,8 @@ def _struck(ending: Ending, text: Telling) -> None:
 def _part(place: Place, ending: Ending, text: Telling) -> BodySide | None:
     """Which part a place on a body is: of "the side" that from which the other comes."""
     if not place.dirs and place.kind != "front":
-        return _side_faced(ending, text)
+        end = text.tokens[place.j - 1].base in word_list("ends_of_bodies")  # "our bumper"
+        return None if end else _side_faced(ending, text)
     corner = "front" in place.dirs and not _SIDES.isdisjoint(place.dirs)
     parts = (_PARTS[d] for d in place.dirs if d in _PARTS)
     return BodySide.FRONT if corner else next(parts, None)
