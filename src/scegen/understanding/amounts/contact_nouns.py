@@ -114,7 +114,8 @@ def around_it(i: int, known: Entity | None, text: Telling) -> list[Entity]:
     if not before and not after and known is None:
         before = text.spoken_of(0, len(text.tokens))
     chosen = [known] if known is not None else []
-    acting = {e for scene in text.within(start, i) for e in scene.actors}
+    main = (scene for scene in text.within(start, i) if not scene.event.embedded)
+    acting = {e for scene in main for e in scene.actors}
     # "a van overtakes a bus, and we collide": with who does something
     doing, others = ([e for e in before if (e in acting) is does] for does in (True, False))
     for entity in (*reversed(doing), *reversed(others), *after):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scegen.scenario.vocabulary import ParticipantKind
+from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.clauses.dependents import chain
 from scegen.understanding.clauses.located import is_it, loci_of
@@ -160,6 +160,16 @@ def _we(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Entity]
     return [ego, *others]
 
 
+def _driver_of(roster: Roster, reading: Reading, mention: Mention) -> Entity | None:
+    """``the driver behind us brakes late, his van hits us``: who is so far named as a driver."""
+    own = mention.mod("possessive") if mention.opened_by("its") and not reading.plural else None
+    if own is None or roster.tokens[own.i].low not in word_list("somebodys"):
+        return None
+    named = (e for e in reversed(roster.recent) if "somebody" in e.named_by and not e.ego)
+    driver = next((e for e in named if e.kind is ParticipantKind.CAR), None)
+    return driver if reading.kind not in ON_FOOT else None
+
+
 def _noun(
     roster: Roster, reading: Reading, mention: Mention, exclude: list[Entity]
 ) -> list[Entity]:
@@ -180,6 +190,10 @@ def _noun(
         around = resolve(roster, inside, subject=False, exclude=[])
         roster.enrich(around, reading)
         return around
+    if (drives := _driver_of(roster, reading, mention)) is not None:
+        drives.kind = reading.kind
+        drives.named_by |= reading.called
+        return [drives]
     if kin(reading, mention):
         strangers = [e for e in roster.entities if not e.named_by & reading.called]
         exclude = [*exclude, *strangers]  # "a man with his son"
