@@ -174,7 +174,9 @@ def _definite(
     restricted = reading.dirs or reading.labels or placed
     only = [e for e in roster.entities if e.is_vehicle and e.kind is not ParticipantKind.BICYCLE]
     own = all(p.value == "to" for p in which) and not (narrowed or loci or fronted)
-    own = own and not (reading.dirs or reading.labels or reading.plural or mention.sides or reading.parked)
+    own = own and not (
+        reading.dirs or reading.labels or reading.plural or mention.sides or reading.parked
+    )
     ego = next((e for e in only if e.ego and "speaks" not in e.named_by), None)
     car = reading.kind is ParticipantKind.CAR and not reading.driver and mention.i > 0
     own = own and ego not in exclude and not reading.is_target
