@@ -164,16 +164,16 @@ def test_refusals(said):
     with pytest.raises(InputError, match="at least 1"):
         write_parameter_files(*said, count=0, seed=0)
     functional, concrete = said
-    still = concrete.model_copy(
+    creeping = concrete.model_copy(
         update={
             "participants": tuple(
-                p.model_copy(update={"speed_mps": 0.0, "speed_program": (), "parked": True})
+                p.model_copy(update={"speed_mps": 0.01, "speed_program": ()})
                 for p in concrete.participants
             )
         }
     )
     with pytest.raises(InfeasibleError):
-        write_parameter_files(functional, still, count=1, seed=0)
+        write_parameter_files(functional, creeping, count=1, seed=0)
 
 
 def test_the_road_has_the_lights_that_the_scenario_changes():

@@ -52,23 +52,27 @@ def make_one(
     )
     if not (free and target == NEAR_MISS):
         return raising
-    other = partial(make_one, functional, scenario, seed=seed, progress=progress, session=session,
+    other = partial(make_one, functional, scenario, seed=seed, progress=progress,
                     solutions=solutions)  # fmt: skip
-    return _or_otherwise(functional, raising, other)
+    return _or_otherwise(functional, raising, other, session)
 
 
 def _or_otherwise(
-    functional: FunctionalScenario, raising: Raising, other: Callable[..., Raising]
+    functional: FunctionalScenario,
+    raising: Raising,
+    other: Callable[..., Raising],
+    session: Session | None,
 ) -> Raising:
     """What comes of it where nobody tells of the end, and what is said allows of no near miss.
 
-    Nobody is endangered, if all that is said holds so; else they touch.
+    Nobody is endangered, if all that is said holds so (no model is asked for that); else they
+    touch.
     """
     if _flaws(raising) == (0, 0) or functional.outcome is not None:
         return raising
-    for target in (AVOIDED, COLLISION):
+    for target, asked in ((AVOIDED, None), (COLLISION, session)):
         try:
-            found = other(target=target)
+            found = other(target=target, session=asked)
         except InfeasibleError:  # no way to touch: the near miss, and why it fails, is told
             continue
         if _flaws(found) == (0, 0):
@@ -102,7 +106,7 @@ def make_some(
     skipped: dict[str, str] = {}
 
     solutions, free = options.solutions, options.target is None
-    make = partial(make_one, functional, seed=options.seed, progress=progress, session=session,
+    make = partial(make_one, functional, seed=options.seed, progress=progress,
                    solutions=solutions)  # fmt: skip
 
     def good() -> int:
@@ -114,7 +118,9 @@ def make_some(
             break
         progress(f"concretizing {name}")
         try:
-            tried[name] = make(scenario, target=target, free=free and bool(options.pick))
+            tried[name] = make(
+                scenario, target=target, session=session, free=free and bool(options.pick)
+            )
         except InfeasibleError as error:
             skipped[name] = error.render()
     otherwise = free and target == NEAR_MISS and not options.pick
@@ -122,7 +128,7 @@ def make_some(
         if good():
             break
         scenario = next(each for each in picked if each.name == name)
-        tried[name] = _or_otherwise(functional, tried[name], partial(make, scenario))
+        tried[name] = _or_otherwise(functional, tried[name], partial(make, scenario), session)
     if not tried:
         name, reason = next(iter(skipped.items()))
         more = f" (and {len(skipped) - 1} more)" if len(skipped) > 1 else ""

@@ -28,8 +28,9 @@ def richness(scenario: LogicalScenario, functional: FunctionalScenario) -> int:
 def richest_first(scenario: LogicalScenario, functional: FunctionalScenario) -> tuple[int, ...]:
     """A key to sort by: rich before poor, of equally rich ones the plainest first.
 
-    But who reverses at a junction comes out of an arm, as out of a drive, where it can; and of whom
-    no turn is said keeps its course: the ego always, others where they meet somebody nevertheless.
+    But who reverses at a junction comes out of an arm, as out of a drive, where it can; everybody
+    meets somebody and they come from all sides, if that can be had; and of whom no turn is said
+    keeps its course, the ego before all.
     """
     ego = functional.ego
     turning = {d.participant for d in scenario.drives if d.turn is not Maneuver.STRAIGHT}
@@ -37,5 +38,7 @@ def richest_first(scenario: LogicalScenario, functional: FunctionalScenario) -> 
     meeting = {n for c in scenario.conflicts if _WEIGHT[c.kind] > 1 for n in (c.first, c.second)}
     junction = functional.junction.kind is not JunctionKind.STRAIGHT
     odd = sum(junction and drive.reverses is Reverses.BACKS_UP for drive in scenario.drives)
-    plain = ego.id in strays, -len(meeting), len(strays)
-    return odd, *plain, -richness(scenario, functional), len(turning), scenario.index
+    moving = (d for d in scenario.drives if junction and d.maneuver is not Maneuver.STAY)
+    arms = {drive.entry for drive in moving}
+    varied = -len(meeting), -len(arms), len(strays), -richness(scenario, functional)
+    return odd, ego.id in strays, *varied, len(turning), scenario.index
