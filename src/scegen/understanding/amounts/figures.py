@@ -157,6 +157,8 @@ class Figure(Clause):
             if chunk.j <= self.start:
                 return []
             if isinstance(chunk, Thing) and self.text.tokens[chunk.j - 1].low in word_list("rates"):
+                if chunk.has("possessive", "first_person"):
+                    return [self.text.ego]  # "…, our speed 85 km/h"
                 if chunk.owner is not None:
                     return list(chunk.owner.entities)
                 continue  # "the ego's speed of 90 km/h"
