@@ -6,6 +6,7 @@ import pytest
 
 from scegen.enumeration import enumerate_scenarios
 from scegen.errors import NoScenarioError
+from scegen.scenario.functional import FunctionalScenario
 
 EGO = {"id": "ego", "role": "ego", "maneuvers": ["straight"]}
 ONCOMING = {"id": "truck", "kind": "truck", "approaches": ["opposite"], "maneuvers": ["straight"]}
@@ -63,3 +64,18 @@ def test_straight_on_at_a_y_is_the_way_that_bends_least(describe):
     assert {d.turn.value for s in enumerate_scenarios(functional).scenarios for d in s.drives} == {
         "right"
     }
+
+
+def test_who_waits_at_its_line_is_not_met_by_whom_it_does_not_touch():
+    functional = FunctionalScenario.model_validate(
+        {
+            "description": "made for a test",
+            "junction": {"kind": "four_way", "arms": 4},
+            "participants": [
+                {"id": "ego", "role": "ego", "maneuvers": ["stay"]},
+                {"id": "truck", "kind": "truck", "approaches": ["left"], "maneuvers": ["straight"]},
+            ],
+            "outcome": {"kind": "avoided", "between": ["ego", "truck"]},
+        }
+    )
+    assert enumerate_scenarios(functional).scenarios

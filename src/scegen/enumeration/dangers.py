@@ -11,6 +11,7 @@ from scegen.enumeration.statements import Stated
 from scegen.scenario.acts import LEAVING, ActKind
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.hazards import HAZARDS, Case, RoadRule
+from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind, Maneuver
 
 _RANKED = frozenset({Control.YIELD, Control.STOP, Control.PRIORITY_TO_RIGHT})
@@ -121,6 +122,10 @@ def _say_outcome(out: Stated, functional: FunctionalScenario, sides: Sequence[Pa
     listed = drivers | {c.id for c in functional.crossers}
     if not pairs or any(not listed.issuperset(pair) for pair in pairs):
         return  # what stands beside the lanes or lies in them is met by whoever comes along
+    held = {v.id for v in functional.vehicles if v.maneuvers == {Maneuver.STAY}}
+    crossing = functional.junction.kind is not JunctionKind.STRAIGHT
+    if outcome.kind is OutcomeKind.AVOIDED and crossing and all(held & {*pair} for pair in pairs):
+        return  # who waits at its line lets everybody by
     either = " or ".join(f"{one} and {other}" for one, other in pairs)
     number = out.number(f"outcome {outcome.kind} (between {either})")
     out.facts.append(p.Outcome(number))
