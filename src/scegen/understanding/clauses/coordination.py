@@ -43,7 +43,9 @@ def coordinate(event: Event, state: State) -> None:
     """``brakes and turns``, ``to brake and turn``: the verb of like form gives the subject."""
     helped = auxiliary(state)
     wanted = "finite" if helped or _in_the_past(event, state) else _SHAPES.get(event.form, "finite")
-    verbs = [e for e in state.events if not e.nominal and _agree(event, e.subject)]
+    helper = state.at(-1)  # "is standing" is said of no "I"
+    third = event.form == "s" or (isinstance(helper, Term) and "third" in helper.data)
+    verbs = [e for e in state.events if not e.nominal and _agree(event, e.subject, third=third)]
     main = [e for e in verbs if not any(m in state.trailing for m in e.subject)]
     if "," in state.between and main:
         verbs = main  # "A van turns as the ego waits, then stops."
@@ -107,10 +109,10 @@ def _as_finite(first: Event, second: Event) -> bool:
     return first.form == second.form or (first.form == "base" and not first.modal)
 
 
-def _agree(verb: Event, subject: list[Mention]) -> bool:
+def _agree(verb: Event, subject: list[Mention], *, third: bool) -> bool:
     """``must wait until two trucks have passed and then turns``: no plural turns."""
     plural = len(subject) > 1 or any(m.head is not None and m.head.form == "s" for m in subject)
-    if verb.form == "s" and any(m.is_me for m in subject):
+    if third and any("speaks" in h.data or m.is_me for m in subject for h in m.heads):
         return False  # "fails to see that we stop and rams our rear"
     return verb.form != "s" or not plural or any(m.is_named for m in subject)
 
