@@ -19,7 +19,7 @@ from scegen.concretization.things import (
     SCREEN,
     Shape,
     caused_by_nobody,
-    causes_it,
+    causing_it,
     free_name,
     made_of,
     shape_of,
@@ -72,7 +72,7 @@ def hide(
     for hazard in concrete.hazards:
         if hazard.kind is not HazardKind.OCCLUSION:
             continue
-        thing = causes_it(functional, hazard)
+        thing = next(iter(causing_it(functional, hazard)), None)
         if thing is None and (parked or not caused_by_nobody(functional, hazard)):
             continue
         if thing is not None and any(each.id == thing.id for each in concrete.objects):

@@ -49,7 +49,7 @@ BLOCKS_STRAIGHT_AT_M = 15.0
 _CLEAR_M, _WOULD_HIT_M = 0.45, 0.1
 """From who keeps clear of it; into who would not."""
 _LEAST_WAY_M, _ROOM_M = 30.0, 6.0
-_SAMPLE_M = 0.5
+_SAMPLE_M, _APART_M = 0.5, 0.5
 _ROLLS_M = 0.5
 _CHANGE_M = 10.0
 _LONG_CHANGE = 1.4
@@ -126,11 +126,15 @@ def place_obstacles(scene: Setup) -> None:
     Raises:
         MotionInfeasibleError: somebody who may not touch it would do so.
     """
+    lies_m: dict[str, float] = {}  # how far back of the first one all that lies there reaches
     for hazard, thing in lying_in_the_way(scene.functional, scene.logical, scene.drives):
         draft = scene.drives[thing.in_way_of or ""]
         shape = shape_of(thing)
         stays = _may_stay(scene, draft)
-        station, pose = _spot(scene, draft, shape.body, stays=stays)
+        half = shape.length_m / 2
+        back = lies_m[draft.id] + _APART_M + half if draft.id in lies_m else 0.0
+        lies_m[draft.id] = back + half
+        station, pose = _spot(scene, draft, shape.body, back, stays=stays)
         touching = [d for d in scene.drives.values() if _met_m(d, pose, shape.body) is not None]
         hit = [d for d in touching if d.changes_before or not (d is draft or same_lane(d, draft))]
         if hit:
@@ -150,8 +154,10 @@ def place_obstacles(scene: Setup) -> None:
             pass_standing(scene, other, station, shape.body)
 
 
-def _spot(scene: Setup, draft: DriveDraft, body: Body, *, stays: bool) -> tuple[float, Pose]:
-    """Where a thing lies on a drive (m), and the pose of its middle.
+def _spot(
+    scene: Setup, draft: DriveDraft, body: Body, back_m: float, *, stays: bool
+) -> tuple[float, Pose]:
+    """Where a thing lies on a drive (m), so far before the usual place; the pose of its middle.
 
     In the middle of the lane for one that stops; near those who pass for one that goes round; at
     the far edge of the lane that one leaves anyway.
@@ -170,6 +176,7 @@ def _spot(scene: Setup, draft: DriveDraft, body: Body, *, stays: bool) -> tuple[
         require_room(draft.id, station, _LEAST_WAY_M)
         near = min(in_lane, (draft.body.width_m + body.width_m) / 2 - _WOULD_HIT_M)
         share = 0.0 if stays else near
+    station -= back_m
     right = scene.network.driving_side is DrivingSide.RIGHT
     lane = -draft.entry_lane if right else draft.entry_lane
     step = RouteStep(scene.network.arm_roads[draft.drive.entry], lane, forward=True)

@@ -107,16 +107,16 @@ def shape_of(thing: Thing) -> Shape:
     return SHAPES[thing.kind].sized(*middles(thing.length_m, thing.width_m))
 
 
-def causes_it(functional: FunctionalScenario, hazard: Hazard) -> Thing | None:
-    """The thing that causes a danger: the one that is named, else one that does such a thing."""
-    things, found = functional.objects, []
+def causing_it(functional: FunctionalScenario, hazard: Hazard) -> list[Thing]:
+    """The things that cause a danger: those that are named, else one that does such a thing."""
+    things = functional.objects
     if hazard.by:
-        found = [thing for thing in things if thing.id in hazard.by]
-    elif hazard.kind is HazardKind.OCCLUSION:
-        found = [thing for thing in things if thing.hides]
-    elif hazard.kind is HazardKind.OBSTACLE:
-        found = [thing for thing in things if thing.in_way_of is not None]
-    return next(iter(found), None)
+        return [thing for thing in things if thing.id in hazard.by]
+    if hazard.kind is HazardKind.OCCLUSION:
+        return [thing for thing in things if thing.hides][:1]
+    if hazard.kind is HazardKind.OBSTACLE:
+        return [thing for thing in things if thing.in_way_of is not None][:1]
+    return []
 
 
 def caused_by_nobody(functional: FunctionalScenario, hazard: Hazard) -> bool:
@@ -133,21 +133,15 @@ def lying_in_the_way(
     for hazard in functional.hazards:
         if hazard.kind is not HazardKind.OBSTACLE:
             continue
-        thing = causes_it(functional, hazard)
-        if thing is None and not caused_by_nobody(functional, hazard):
-            continue
-        if thing is None:
-            if found or logical.standings:
-                continue
+        things = causing_it(functional, hazard)
+        if not things and not (found or logical.standings) and caused_by_nobody(functional, hazard):
             name = free_name(functional, ThingKind.OBSTACLE, {*drivers})
-            thing = Thing(id=name, kind=ThingKind.OBSTACLE)
-        elif any(thing.id == each.id for _, each in found):
-            continue
-        if thing.in_way_of not in drivers:
+            things = [Thing(id=name, kind=ThingKind.OBSTACLE)]
+        known = {thing.id for _, thing in found}
+        for thing in (each for each in things if each.id not in known):
             reacts = _who_reacts(functional, logical, drivers)
-            who = next((n for n in hazard.to if n in drivers), reacts)
-            thing = thing.model_copy(update={"in_way_of": who})
-        found.append((hazard, thing))
+            who = next((n for n in (thing.in_way_of, *hazard.to) if n in drivers), reacts)
+            found.append((hazard, thing.model_copy(update={"in_way_of": who})))
     return found
 
 

@@ -46,7 +46,7 @@ _SLOWER_MPS = 0.5
 _STOPS_BEFORE_M = 1.0
 _AT_REST_S = 60.0
 _A_LITTLE_S = 0.1
-_PASSED_M = 2.0
+_PASSED_M, _APART_M = 2.0, 0.5
 _HIT_AFTER_S = 1.2
 """Who is to run into a door that opens does so when it is open."""
 
@@ -156,6 +156,12 @@ def _urgency(story: Story, name: str, order: dict[str, int]) -> tuple[bool, bool
 
 def _place_as_usual(story: Story, name: str, order: dict[str, int], wider: float) -> None:
     runner = story.runners[name]
+    lying = [story.runners[n] for n in story.things if story.runners[n].at_m is not None]
+    here = [r for r in lying if (r.lane, r.forward) == (runner.lane, runner.forward)]
+    if name in story.things and here:  # one thing behind the other
+        beyond_m = here[-1].body.front_m + _APART_M + runner.body.rear_m
+        runner.at_m = here[-1].x_m(0.0) + runner.sign * beyond_m
+        return
     other = story.runners[_reference(story, name, order)]
     if runner.forward != other.forward:
         # Level at a moment: then and there they meet.
