@@ -52,16 +52,13 @@ def make_one(
     )
     if not (free and target == NEAR_MISS):
         return raising
-    other = partial(make_one, functional, scenario, seed=seed, progress=progress,
+    other = partial(make_one, functional, scenario, seed=seed, progress=progress, session=session,
                     solutions=solutions)  # fmt: skip
-    return _or_otherwise(functional, raising, other, session)
+    return _or_otherwise(functional, raising, other)
 
 
 def _or_otherwise(
-    functional: FunctionalScenario,
-    raising: Raising,
-    other: Callable[..., Raising],
-    session: Session | None,
+    functional: FunctionalScenario, raising: Raising, other: Callable[..., Raising]
 ) -> Raising:
     """What comes of it where nobody tells of the end, and what is said allows of no near miss.
 
@@ -70,9 +67,13 @@ def _or_otherwise(
     """
     if _flaws(raising) == (0, 0) or functional.outcome is not None:
         return raising
-    for target, asked in ((AVOIDED, None), (COLLISION, session)):
+    unhurt, touching = (
+        partial(other, target=AVOIDED, session=None),
+        partial(other, target=COLLISION),
+    )
+    for made in (unhurt, touching):
         try:
-            found = other(target=target, session=asked)
+            found = made()
         except InfeasibleError:  # no way to touch: the near miss, and why it fails, is told
             continue
         if _flaws(found) == (0, 0):
@@ -106,7 +107,7 @@ def make_some(
     skipped: dict[str, str] = {}
 
     solutions, free = options.solutions, options.target is None
-    make = partial(make_one, functional, seed=options.seed, progress=progress,
+    make = partial(make_one, functional, seed=options.seed, progress=progress, session=session,
                    solutions=solutions)  # fmt: skip
 
     def good() -> int:
@@ -118,9 +119,7 @@ def make_some(
             break
         progress(f"concretizing {name}")
         try:
-            tried[name] = make(
-                scenario, target=target, session=session, free=free and bool(options.pick)
-            )
+            tried[name] = make(scenario, target=target, free=free and bool(options.pick))
         except InfeasibleError as error:
             skipped[name] = error.render()
     otherwise = free and target == NEAR_MISS and not options.pick
@@ -128,7 +127,7 @@ def make_some(
         if good():
             break
         scenario = next(each for each in picked if each.name == name)
-        tried[name] = _or_otherwise(functional, tried[name], partial(make, scenario), session)
+        tried[name] = _or_otherwise(functional, tried[name], partial(make, scenario))
     if not tried:
         name, reason = next(iter(skipped.items()))
         more = f" (and {len(skipped) - 1} more)" if len(skipped) > 1 else ""

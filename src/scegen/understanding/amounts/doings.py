@@ -137,8 +137,9 @@ def _act(figure: Figure, name: str, kinds: frozenset[ActKind]) -> Doing | None:
 def _unread(figure: Figure, kinds: frozenset[ActKind]) -> bool:
     """``pulls away at 1 m/s² and then stops``: said of a doing that is no act yet."""
     event = figure.verb
-    here = event is not None and event.i < figure.i and event.name != "move"
-    if event is None or not here or event.nominal or not event.subject:
+    if event is None or event.i >= figure.i or event.name == "move":
+        return False
+    if event.nominal or not event.subject:
         return False  # "Deceleration: 6 m/s²" names what has been told
     known = any(event.i in a.places for a in figure.text.found.acts)
     return not known and frames().get(event.name) in kinds
