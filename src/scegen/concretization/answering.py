@@ -153,7 +153,7 @@ def _slowest_mps(traffic: Traffic, contact: Contact) -> float:
     speed = traffic.track(other, until)[1]
     if not (traffic.in_line(who, other) or goes_along(traffic, contact, until[-1:])):
         return 0.0
-    slowest = float(speed[until >= contact.time_s if speed[0] < _MOVES_MPS else ...].min())
+    slowest = float(speed[until >= contact.time_s].min())
     return slowest if slowest > _MOVES_MPS else 0.0
 
 
