@@ -143,14 +143,10 @@ class Figure(Clause):
         phrases = [c for c in self.text.chunks if isinstance(c, Mention | Thing) and has_a_size(c)]
         return next((p for p in phrases if p.head is not None and p.i <= i < p.head.i), None)
 
-    @cached_property
-    def adjacent(self) -> list[Entity]:
-        """Who is named right before it, forms of "to be" and adverbs skipped."""
-        ours = self.i > self.start and self.text.tokens[self.i - 1].low in {"our", "my"}
-        return [self.text.ego] if ours else self.named_before(self.i)
-
     def named_before(self, i: int) -> list[Entity]:
-        """The same of another token."""
+        """Who is named right before a token, forms of "to be" and adverbs skipped."""
+        if i > self.start and self.text.tokens[i - 1].low in {"our", "my"}:
+            return [self.text.ego]
         for chunk in reversed(self.text.chunks):
             if chunk.j > i:
                 continue
@@ -166,7 +162,8 @@ class Figure(Clause):
                 continue  # "a van offset by 0.5 m"
             if isinstance(chunk, Mention):
                 owns = self.text.low(chunk.j, i).split() in _OWNS
-                told = self.text.low(chunk.j, i) == " : " or self._goes_on
+                linked = self.text.low(chunk.j, i).strip() in {":", "is", "was"} or self._goes_on
+                told = linked or self.role == "relative_speed"  # "the van behind it 20 km/h faster"
                 whole = self.placed_by(chunk) if told else chunk
                 return list(whole.entities) if owns or not chunk.possessor else []
             of = chunk.value == "of"
@@ -218,7 +215,7 @@ class Figure(Clause):
     @cached_property
     def subject(self) -> list[Entity]:
         """Who the sentence is about up to it: the subject of its last verb, or its first noun."""
-        own = self.adjacent or self._owner()
+        own = self.named_before(self.i) or self._owner()
         if own:
             return own
         before = [s for s in self.text.within(self.start, self.i) if s.actors]

@@ -155,17 +155,19 @@ def relative(figure: Figure) -> bool:
     word = text.low(figure.j, figure.j + 1).strip()
     told = word in word_list("faster_than") | word_list("slower_than")
     anybody = text.draft.entities if not told else []
-    named = (e for e in (*figure.actors, *figure.subject, *anybody) if e.moving_vehicle)
-    who = next((e for e in named if e.speed is None), None)
+    named = [e for e in (*figure.actors, *figure.subject, *anybody) if e.moving_vehicle]
+    who = next((e for e in named if e.speed is None), named[0] if told and named else None)
     meets = figure.does == "collide" and bool(text.acts(0, len(text.tokens), SLOWING))
     if who is None or (meets and not told):  # "hits it at a closing speed of …": after braking
         return False
     than = [e for e in text.spoken_of(figure.j + 1, text.bounds(figure.j)[1]) if e is not who]
     other = than[0] if told and than else text.counterpart(who, text.spoken_of(0, figure.i))
-    if other is None or other.speed is None:
+    if other is None or (who.speed is None) == (other.speed is None):
         return False
     faster = word in word_list("faster_than") if told else text.in_file(who, other)[0] is who
-    sign, own = 1 if faster else -1, other.speed
+    if other.speed is None:  # "the lead, at 50 km/h, is 25 km/h slower than the ego"
+        who, other, faster = other, who, not faster
+    sign, own = 1 if faster else -1, other.speed or STILL
     if not told and text.context.oncoming(who if other.ego else other):
         own, sign = Interval(low=-own.high, high=-own.low), 1  # both together come so near
     low, high = sorted((own.low + sign * by.low, own.high + sign * by.high))

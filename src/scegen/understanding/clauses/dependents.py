@@ -93,7 +93,8 @@ def _in_a_phrase(event: Event, state: State) -> None:
     if who is not None and (last is None or last.j <= who.i):
         event.subject = chain(who)
     elif last is not None:
-        event.subject = last.subject
+        made = last.control == "object" and state.awaits("to") and isinstance(last.object, Mention)
+        event.subject = chain(last.object) if made else last.subject  # "brings it to a stop"
 
 
 def infinitive(event: Event, state: State, parent: Event | None = None) -> None:

@@ -23,6 +23,8 @@ from scegen.understanding.words.terms import NOTHING
 _REACH = 3
 _PARTS = frozenset({"side", "flank"})
 _OWNED = frozenset({"side", "flank", "lane", "path", "right_of_way", "centerline"})
+_STOPPING = frozenset({"stop", "slow", "brake"})
+"""What is done to somebody by what is nobody."""
 _TURNS = frozenset({"turn", "u_turn"})
 """Nouns of doings that somebody has before him ("a left turn for the ego")."""
 
@@ -59,6 +61,8 @@ def read_mention(mention: Mention, state: State) -> None:
         mention.joined = mention.joined if alone else listed
     elif isinstance(anchor, Event) and direct and _takes(anchor, state):
         anchor.object = mention
+        if anchor.name in _STOPPING and not anchor.subject and not anchor.negated:
+            anchor.subject = [mention]  # "full braking stops the van"
     elif (described := _described(mention, state)) is not None:
         which = described if described.pronoun == "one" else mention
         named = described.is_ego or described.pronoun == "one"

@@ -10,7 +10,7 @@ from scegen.understanding.frames.loader import AmountFrame, amounts
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.quantities import Quantity
 from scegen.understanding.words.terms import Term, longest_match
-from scegen.understanding.words.tokens import Token
+from scegen.understanding.words.tokens import Token, low_at
 
 _REACH = 13
 _BETWEEN = 3
@@ -108,7 +108,8 @@ def _shared(tokens: list[Token], j: int, ends: dict[int, int]) -> int:
         for end, begin in ends.items():
             between = {t.low for t in tokens[j + 1 : begin]}
             alike = tokens[end - 1].low == tokens[j - 1].low and 0 <= begin - j - 1 <= _BETWEEN
-            if alike and not between & {"of", *_any_of("only_before", "clause_words")}:
+            own = low_at(tokens, end) in _any_of("faster_than", "slower_than")  # "10 km/h more"
+            if alike and not own and not between & {"of", *_any_of("only_before", "clause_words")}:
                 return end
     return j
 

@@ -22,6 +22,7 @@ _WORDS = (
     "hundred", "thousand",
 )  # fmt: skip
 ATOMS = frozenset(_WORDS)
+_LARGE = frozenset(_WORDS[-2:])
 _DIGITS = _WORDS[:10]
 _FRACTION_DIGITS = 3
 _HALF = 0.5
@@ -60,16 +61,23 @@ def number_at(tokens: list[Token], i: int) -> Number | None:
     token = tokens[i]
     if token.kind == "number":
         return Number(_digits(token.text), 1)
-    if token.low not in ATOMS:
+    begin = i + (token.low == "a" and low_at(tokens, i + 1) in _LARGE)
+    if tokens[begin].low not in ATOMS:
         return None
-    j = i
-    while low_at(tokens, j) in ATOMS and j - i < 6:
+    j = begin
+    while (low_at(tokens, j) in ATOMS or _goes_on(tokens, i, j)) and j - begin < 6:
         j += 1
-    for end in range(j, i, -1):
-        value = _spoken(tuple(t.low for t in tokens[i:end]))
+    for end in range(j, begin, -1):
+        value = _spoken(tuple(t.low for t in tokens[begin:end]))
         if value is not None:
             return _with_fraction(tokens, end, Number(value, end - i))
     return None
+
+
+def _goes_on(tokens: list[Token], i: int, j: int) -> bool:
+    """``a hundred and twenty``; not "between a hundred and two hundred"."""
+    joins = low_at(tokens, j) == "and" and low_at(tokens, j - 1) in _LARGE
+    return joins and low_at(tokens, i - 1) != "between"
 
 
 def _with_fraction(tokens: list[Token], j: int, whole: Number) -> Number:

@@ -25,14 +25,15 @@ def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
     Else in the one that is usual there.
     """
     number = number_at(tokens, i)
-    if number is None or not _FEWEST < number.value <= _MOST:
+    rated = _its_speed(tokens, i)
+    if number is None or not (_FEWEST < number.value <= _MOST or (rated and not number.value)):
         return None
     j = i + number.length
     told = (
         doing(tokens, i)
         or low_at(tokens, i - 1) in word_list("at_a_speed")
         or (low_at(tokens, i - 1) == "to" and low_at(tokens, i - 2) in word_list("comes_to"))
-        or _its_speed(tokens, i)
+        or rated
         or _likewise(tokens, i, j)
     )
     ends = j >= len(tokens) or tokens[j].kind == "punct" or begins(tokens, j, *_CLOSED)
@@ -42,7 +43,7 @@ def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
         given = quantity_at(tokens, k)
         if given is not None and given.dimension == "speed":
             return as_written(tokens, i, j, given)
-    if number.value < _LOWEST_BARE:
+    if 0 < number.value < _LOWEST_BARE:
         return None
     unit = "mph" if any(t.low in word_list("imperial") for t in tokens) else "km/h"
     note = f"no unit is said; read as {unit}"
@@ -74,15 +75,17 @@ def _likewise(tokens: list[Token], i: int, j: int) -> bool:
 
 
 def _ends_place(tokens: list[Token], k: int, i: int) -> bool:
-    """``'s``, ``in front``: whether it stands at token ``k``, right before a number."""
+    """``'s``, ``in front``, ``ahead of it``: if it stands at token ``k``, right before a number."""
     place = longest_match(tokens, k)
     own = tokens[k].kind == "clitic" and k + 1 == i
-    return own or (place is not None and place.j == i and place.has("locus"))
+    if own or place is None or not place.has("locus"):
+        return own
+    return place.j == i or (place.j + 1 == i and begins(tokens, place.j, "pronoun"))
 
 
 def doing(tokens: list[Token], i: int) -> bool:
     """Whether a verb of motion stands right before, as in "doing about 50"."""
-    k = i - 1 - (low_at(tokens, i) == "hundred" and low_at(tokens, i - 1) == "a")
+    k = i - 1
     while k >= 0 and tokens[k].low in word_list("vaguely"):
         k -= 1
     return k >= 0 and tokens[k].base in word_list("pacing")
