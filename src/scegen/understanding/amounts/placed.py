@@ -126,8 +126,8 @@ def _between(
     amount = figure.placed
     if measure is Measure.LATERAL_OFFSET_M:
         amount = aside.signed(figure)
-        if one.ego and not (figure.named_before(figure.i) or figure.verb):  # "ego 60 km/h, offset 0.5 m"
-            entity, reference = other, one
+        if one.ego and not (figure.named_before(figure.i) or figure.verb):
+            entity, reference = other, one  # "ego 60 km/h, offset 0.5 m"
         aside.abreast(figure, *((one, other, 1) if other.ego else (other, one, -1)))
     elif measure in {Measure.HEADWAY_S, Measure.TTC_S}:
         entity, reference = text.in_file(one, other)

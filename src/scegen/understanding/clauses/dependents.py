@@ -93,8 +93,9 @@ def _in_a_phrase(event: Event, state: State) -> None:
     if who is not None and (last is None or last.j <= who.i):
         event.subject = chain(who)
     elif last is not None:
-        made = last.control == "object" and state.awaits("to") and isinstance(last.object, Mention)
-        event.subject = chain(last.object) if made else last.subject  # "brings it to a stop"
+        made = last.object if last.control == "object" and state.awaits("to") else None
+        subject = chain(made) if isinstance(made, Mention) else last.subject
+        event.subject = subject  # "brings it to a stop"
 
 
 def infinitive(event: Event, state: State, parent: Event | None = None) -> None:

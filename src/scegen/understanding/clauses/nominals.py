@@ -61,8 +61,8 @@ def read_mention(mention: Mention, state: State) -> None:
         mention.joined = mention.joined if alone else listed
     elif isinstance(anchor, Event) and direct and _takes(anchor, state):
         anchor.object = mention
-        if anchor.name in _STOPPING and not anchor.subject and not anchor.negated:
-            anchor.subject = [mention]  # "full braking stops the van"
+        stopped = anchor.name in _STOPPING and not anchor.negated
+        anchor.subject = anchor.subject or [mention] * stopped  # "full braking stops the van"
     elif (described := _described(mention, state)) is not None:
         which = described if described.pronoun == "one" else mention
         named = described.is_ego or described.pronoun == "one"
