@@ -1,7 +1,7 @@
 """The limit that a description implies."""
 
 import pytest
-from told import told, who
+from told import act, told, who
 
 from scegen.scenario.speed_limits import implied_limit_mps, limit_for_kind_mps
 from scegen.scenario.vocabulary import ParticipantKind
@@ -33,6 +33,15 @@ def test_one_who_speeds_or_hurries_says_nothing_of_the_road():
 def test_a_bend_is_one_that_who_speeds_gets_round():
     speeds = ("x", "car", 90), ("ego", "car", 40)
     assert limit_kmh(*speeds, hazards=[("speeding", "x", "ego")], bend={}) == 70
+
+
+@pytest.mark.parametrize(
+    ("does", "to", "limit"), [("brake", 40, 60), ("brake", 0, 50), ("accelerate", 80, 80)]
+)
+def test_who_slows_down_or_speeds_up_to_a_speed_is_on_a_road_for_both(does, to, limit):
+    people = [who("ego", "car"), who("x", "car")]
+    acts = [act("changes", "x", does, target_speed_mps=to / 3.6)]
+    assert round(implied_limit_mps(told("straight", people, acts=acts)) * 3.6, 3) == limit
 
 
 def test_roundabouts_are_slow():

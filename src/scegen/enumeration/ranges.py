@@ -17,6 +17,7 @@ from scegen.scenario.parameters import ParameterRange
 from scegen.scenario.speed_limits import (
     FAST_FOR_KIND_MPS,
     comfortable_mps,
+    driven_before_mps,
     implied_limit_mps,
     limit_for_kind_mps,
 )
@@ -74,7 +75,7 @@ def _speed(functional: FunctionalScenario, participant: Participant) -> Range:
     kind = participant.kind
     own = {hazard.kind for hazard in functional.hazards if participant.id in hazard.by}
     if kind in KIND_SPEED_MPS and not (kind in FAST_FOR_KIND_MPS and HazardKind.SPEEDING in own):
-        return KIND_SPEED_MPS[kind]
+        return _before_acts(functional, participant, KIND_SPEED_MPS[kind])
     share = USUAL_SHARE
     if functional.junction.kind is JunctionKind.STRAIGHT:
         passing = any(Maneuver.OVERTAKE in p.maneuvers for p in functional.participants)
@@ -94,7 +95,15 @@ def _speed(functional: FunctionalScenario, participant: Participant) -> Range:
         # Who drives in line with the ego may be as slow as that is said to be.
         in_line = participant.approaches & {Approach.AHEAD, Approach.BEHIND}
         low, default = (min(low, pace.low), min(default, pace.high)) if in_line else (low, default)
-    return low, high, default, f"{reason}, limit {limit:.4g} m/s"
+    reason = f"{reason}, limit {limit:.4g} m/s"
+    return _before_acts(functional, participant, (low, high, default, reason))
+
+
+def _before_acts(functional: FunctionalScenario, participant: Participant, usual: Range) -> Range:
+    """So that it can slow down, or speed up, to what is said."""
+    least, most = driven_before_mps(functional, participant.id)
+    low, high, default = (min(max(speed, least), most) for speed in usual[:3])
+    return low, high, default, usual[3]
 
 
 def offset_range(

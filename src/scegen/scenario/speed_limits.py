@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import ceil, inf, sqrt
 
+from scegen.scenario.acts import GAINING, SLOWING, ActKind
 from scegen.scenario.arms import URBAN_LIMIT_MPS
 from scegen.scenario.bends import COMFORTABLE_LATERAL_MPS2
 from scegen.scenario.functional import FunctionalScenario
@@ -21,6 +22,9 @@ _CLEARLY = 1.02
 _HELD = 0.75
 """The limit of a bend that one who speeds still gets round, as a share of that one's speed."""
 _HIGHEST_MPS = 130 / 3.6
+_CHANGE_MPS = 20 / 3.6
+"""What one changes its speed by, where only the speed is said that it comes to."""
+_MOVES_MPS = 1.0
 
 
 FAST_FOR_KIND_MPS = {ParticipantKind.BICYCLE: 25 / 3.6}
@@ -33,6 +37,18 @@ def limit_for_kind_mps(kind: ParticipantKind, limit_mps: float) -> float:
     return min(limit_mps, FAST_FOR_KIND_MPS.get(kind, limit_mps))
 
 
+def driven_before_mps(functional: FunctionalScenario, name: str) -> tuple[float, float]:
+    """Between which speeds one drives of whom only is said what it slows down or speeds up to."""
+    own = (a for a in functional.acts if a.participant == name and a.kind in SLOWING | GAINING)
+    first = next(own, None)
+    to = first.target_speed_mps if first is not None else None
+    if first is None or to is None or first.kind is ActKind.SET_OFF or not to.high:
+        return 0.0, inf
+    if first.kind in SLOWING:
+        return to.high + _CHANGE_MPS, inf
+    return 0.0, max(to.low - _CHANGE_MPS, min(to.low, _MOVES_MPS))
+
+
 def usual_limit_mps(junction: Junction) -> float:
     """The limit in a town where nothing is said."""
     ring = junction.kind is JunctionKind.ROUNDABOUT
@@ -43,7 +59,7 @@ def implied_limit_mps(functional: FunctionalScenario) -> float:
     """The limit said; else the usual one, or one that allows the speeds said.
 
     Who is said to go 100 km/h, and not to be speeding, is on a road for it, and so is everybody
-    else there. A bend holds those who speed, too.
+    else there; so it is with speeds that somebody comes to. A bend holds those who speed, too.
     """
     junction = functional.junction
     if junction.speed_limit_mps is not None:
@@ -56,11 +72,18 @@ def implied_limit_mps(functional: FunctionalScenario) -> float:
         for name in hazard.by
     }
     held = _HELD if junction.bend is not None else 0.0
+    bound = [p for p in functional.vehicles if p.kind is not ParticipantKind.EMERGENCY_VEHICLE]
     said = [
-        p.speed_mps.high * (held if p.id in speeding else 1.0)
-        for p in functional.vehicles
-        if p.speed_mps is not None and p.kind is not ParticipantKind.EMERGENCY_VEHICLE
+        (p.speed_mps.high if p.speed_mps is not None else driven_before_mps(functional, p.id)[0])
+        * (held if p.id in speeding else 1.0)
+        for p in bound
     ]
+    gained = (
+        a
+        for a in functional.acts
+        if a.kind is ActKind.ACCELERATE and a.participant in {p.id for p in bound}
+    )
+    said += [a.target_speed_mps.high for a in gained if a.target_speed_mps is not None]
     fastest = max(said, default=0.0)
     if not fastest and junction.carriageway is Carriageway.DIVIDED:
         usual = MOTORWAY_LIMIT_MPS if Strip.HARD_SHOULDER in junction.strips else DIVIDED_LIMIT_MPS

@@ -16,6 +16,7 @@ from scegen.claims.statements import act_amounts, act_triggers, doors
 from scegen.claims.statements.act_ends import SWERVES_M
 from scegen.claims.statements.maneuvers import LANE_M
 from scegen.claims.statements.of_an_act import claim_of, hits, to_its_side, when_s
+from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import KPH, Told
 from scegen.claims.view import View
 from scegen.scenario.acts import LEAVING, Act, ActKind, AfterAct
@@ -65,9 +66,11 @@ def _follows(told: Told, act: Act, before: Act, view: View) -> Judged:
 
 
 def _happens(told: Told, act: Act, view: View) -> Judged:
-    """Within the time that is played."""
-    time_s = when_s(view, act_begins(told, act, view))
-    return Judged(view.time_of(view.last_step) - time_s, time_s, time_s)
+    """Within the time that is played; whom a contact brings to rest does not brake."""
+    time_s, last_s = when_s(view, act_begins(told, act, view)), view.time_of(view.last_step)
+    if act.kind is ActKind.BRAKE:
+        last_s = np.minimum(last_s, hit_s(told, view, act.participant) - view.dt_s)
+    return Judged(last_s - time_s, time_s, time_s)
 
 
 def _rests(told: Told, act: Act, view: View) -> Judged:
