@@ -158,7 +158,8 @@ def _seen(draft: Draft, entity: Entity, seen: frozenset[Approach]) -> bool:
 
 def _designate(draft: Draft, candidates: list[Entity]) -> tuple[Entity, str]:
     placed = [p.entity for p in draft.placements if p.reference is None]
-    free = [e for e in candidates if e not in placed] or candidates
+    led = [e for e in candidates if not draft.only(e, Approach.AHEAD)]
+    free = [e for e in candidates if e not in placed] or led or candidates
     facing = next((e for d in draft.dangers if (e := _facing_entry(d, free)) is not None), None)
     if facing is not None:
         return facing, "this vehicle comes towards the one that turns left"

@@ -27,11 +27,11 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     for k, chunk in enumerate(chunks):
         if k < skip:
             continue
-        what, whose = chunk_at(chunks, k + 1), chunk_at(chunks, k + 2)
+        what = chunk_at(chunks, k + 1)
+        whose = chunk_at(chunks, k + 2) if what.value == "of" else None
         if ends(chunk):
             found, after = [*found, *after], []
-        of = what.value == "of" and isinstance(chunk, Event)
-        if of and isinstance(chunk, Event) and isinstance(whose, Mention) and _named(chunk, found):
+        if isinstance(chunk, Event) and isinstance(whose, Mention) and _named(chunk, found):
             comma = Term("punct", ",", chunk.i, chunk.i)  # "hits the open door of a van"
             opened = replace(chunk, mods=[], form="s")
             after = [comma, replace(whose, pps=[], same_as=whose), opened]
@@ -50,14 +50,15 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             found.append(chunk)
             continue
         owner, opens = told
+        skip = next((m for m in range(k, len(chunks)) if chunks[m].i >= opens.j), len(chunks))
+        on = chunks[skip + 1 : skip + 2] if value_at(chunks, skip) == "in" else []
         before = chunk_at(found, len(found) - 1)
         if isinstance(before, Mention) and chunk.has("possessive", "genitive"):
             before.possessor = False
             found[-1:] = owner or [before]  # "the driver's door of a van"
         else:
-            found += owner or [_who(chunk, found)]
+            found += owner or [_who(chunk, [*found, *on])]  # "a door opens on a parked van"
         found.append(opens)
-        skip = next((m for m in range(k, len(chunks)) if chunks[m].i >= opens.j), len(chunks))
     return found + after
 
 

@@ -82,12 +82,10 @@ def require_traffic(terms: list[Term], tokens: list[Token]) -> None:
     Raises:
         NotTrafficError: if there is neither a participant nor a road.
     """
-    if any(_about_traffic(term, tokens) for term in terms):
-        return
-    if sum(_hints_at_traffic(terms, k, tokens) for k in range(len(terms))) >= _ENOUGH:
-        return
-    msg = "the text does not describe a traffic situation: it names no road and no vehicle"
-    raise NotTrafficError(msg, where="description", hint=_EXAMPLE)
+    hints = sum(_hints_at_traffic(terms, k, tokens) for k in range(len(terms)))
+    if hints < _ENOUGH and not any(_about_traffic(term, tokens) for term in terms):
+        msg = "the text does not describe a traffic situation: it names no road and no vehicle"
+        raise NotTrafficError(msg, where="description", hint=_EXAMPLE)
 
 
 def _about_traffic(term: Term, tokens: list[Token]) -> bool:
@@ -117,5 +115,5 @@ def _hints_at_traffic(terms: list[Term], k: int, tokens: list[Token]) -> bool:
         return after is not None and "me" in after.data
     if term.cat == "manner":
         return term.value in {"fast", "slow", "wrong_way", "close"}
-    lamps = (term.cat, term.value) == ("noted", "lights")
+    lamps = (term.cat, term.value) in {("noted", "lights"), ("actor", "bus"), ("thing", "obstacle")}
     return lamps or (term.cat == "place" and term.value in {"signal", "path", "middle", "flank"})
