@@ -81,8 +81,8 @@ def _opening(chunks: list[Chunk], k: int, tokens: list[Token]) -> tuple[list[Chu
     while cat_at(chunks, verb) in _HELPS:
         verb += 1
     i = chunks[verb].i if verb < len(chunks) else len(tokens)
-    near = range(i, min(i + _REACH, len(tokens)))
-    end = next((j + 1 for j in near if tokens[j].low.startswith("open")), None)
+    near = enumerate(tokens[i : i + _REACH], i + 1)
+    end = next((j for j, token in near if token.low.startswith("open")), None)
     if end is None:
         return None
     shut = any(t.low in word_list("denying") for t in tokens[chunks[k].j : end])
