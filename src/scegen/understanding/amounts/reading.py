@@ -106,11 +106,20 @@ def _clause_of_acts(acts: list[Doing]) -> Clause:
     first = next((a.basis for found in told.values() for a in found if a), acts[0].basis)
     amounts = {n: [a.value if a else None for a in found] for n, found in told.items()}
     whose = list(dict.fromkeys(act.entity for act in acts))
-    triggers = (act.when for act in acts if act.when is not None and act.when.since == "end")
-    befores = (t.act for t in triggers if t.act is not None)
-    passed_by = [other.entity for other in befores if other.kind is ActKind.OVERTAKE]
+    amounts.setdefault("rate_mps2", [_rate(act) for act in acts])
+    befores = [a.when.act for a in acts if a.when is not None and a.when.since == "end"]
+    passed_by = [o.entity for o in befores if o is not None and o.kind is ActKind.OVERTAKE]
     kind = acts[0].kind
     return Clause(_event(_VERBS.get(kind, kind.value), first), whose, passed_by, amounts)
+
+
+def _rate(act: Doing) -> Interval | None:
+    """``from 70 mph to a stop within 5 s``: what the speeds and the time amount to."""
+    to, within = (act.amounts.get(name) for name in ("target_speed_mps", "duration_s"))
+    if act.entity.speed is None or to is None or within is None:
+        return None
+    gained = to.value.low - act.entity.speed.high, to.value.high - act.entity.speed.low
+    return _divided(Interval(low=min(map(abs, gained)), high=max(map(abs, gained))), within.value)
 
 
 def _clause_of_spacing(apart: Apart) -> Clause:
@@ -120,15 +129,13 @@ def _clause_of_spacing(apart: Apart) -> Clause:
     mover = doing.entity if doing is not None and doing.kind is ActKind.CHANGE_LANE else None
     others = [e.speed for e in (*pair[0], *pair[1]) if mover is not None and e is not mover]
     if apart.measure is Measure.GAP_M and others and others[0] is not None:
-        amounts["headway_s"] = [_as_time(apart.amount.value, others[0])]
+        amounts["headway_s"] = [_divided(apart.amount.value, others[0])]
     name = "follow" if doing is None else _VERBS.get(doing.kind, doing.kind.value)
     return Clause(_event(name, apart.amount.basis), pair[0], pair[1], amounts)
 
 
-def _as_time(gap_m: Interval, speed_mps: Interval) -> Interval | None:
-    if speed_mps.low <= 0:
-        return None
-    return Interval(low=gap_m.low / speed_mps.high, high=gap_m.high / speed_mps.low)
+def _divided(whole: Interval, by: Interval) -> Interval | None:
+    return Interval(low=whole.low / by.high, high=whole.high / by.low) if by.low > 0 else None
 
 
 def _event(name: str, basis: Basis) -> Event:

@@ -47,10 +47,10 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
     if last is not None and any(draft.only(e, Approach.AHEAD) for e in vehicles):
         last.ego = True
         return last, Basis(reason="the text names no ego; this vehicle follows the other")
-    walkers = any(not e.is_vehicle for e in draft.entities)
-    alone = len(candidates) == 1 == len(movers) and not walkers
+    afoot = [e for e in draft.entities if not e.is_vehicle]
+    alone = len(candidates) == 1 == len(movers) and not afoot
     sides = _SIDEWAYS if alone else _ALONG
-    exposed = walkers or len(candidates) < len(movers)
+    exposed = bool(afoot) or len(candidates) < len(movers)
     met = exposed and len(candidates) == 1 and _met(draft, candidates[0])
     sides = sides | {Approach.ADJACENT} if len(candidates) == 1 == len(movers) else sides
     sides = frozenset() if met else sides  # "a car comes from behind": behind the jogger
@@ -61,7 +61,6 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
         return _added(draft, "the only vehicle endangers another; a car is added as the ego")
     chosen, reason = _designate(draft, candidates)
     chosen.ego = True
-    afoot = [e for e in draft.entities if not e.is_vehicle]
     pair = len(afoot) == len(candidates) == len(movers) == 1
     if pair and all(p.reference for p in draft.placements_of(afoot[0])):
         for placement in draft.placements_of(chosen):
@@ -134,10 +133,9 @@ def _added(draft: Draft, reason: str) -> tuple[Entity, Basis]:
 
 def _met(draft: Draft, entity: Entity) -> bool:
     """``a pedestrian … and an approaching car``: it comes towards the one who is no car."""
-    if draft.only(entity, Approach.BEHIND):
-        return True
     named = {t.low for t in draft.tokens[entity.basis.i or 0 : entity.basis.j or 0]}
-    return draft.only(entity, Approach.OPPOSITE) and "approaching" in named
+    comes = draft.only(entity, Approach.OPPOSITE) and "approaching" in named
+    return comes or draft.only(entity, Approach.BEHIND)
 
 
 def _seen(draft: Draft, entity: Entity, seen: frozenset[Approach]) -> bool:
@@ -158,7 +156,8 @@ def _seen(draft: Draft, entity: Entity, seen: frozenset[Approach]) -> bool:
 
 def _designate(draft: Draft, candidates: list[Entity]) -> tuple[Entity, str]:
     placed = [p.entity for p in draft.placements if p.reference is None]
-    free = [e for e in candidates if e not in placed] or candidates
+    led = [e for e in candidates if not draft.only(e, Approach.AHEAD)]
+    free = [e for e in candidates if e not in placed] or led or candidates
     facing = next((e for d in draft.dangers if (e := _facing_entry(d, free)) is not None), None)
     if facing is not None:
         return facing, "this vehicle comes towards the one that turns left"
@@ -176,6 +175,5 @@ def _facing_entry(danger: Danger, candidates: list[Entity]) -> Entity | None:
         return None
     arms = 1 + max((arm for e in (*danger.by, *candidates) for arm in e.entries), default=0)
     opposite = {(arm + arms // 2) % arms for arm in danger.by[0].entries}
-    if not opposite or arms % 2:
-        return None
-    return next((e for e in candidates if e.entries == opposite and e not in danger.by), None)
+    facing = (e for e in candidates if e.entries == opposite and e not in danger.by)
+    return next(facing, None) if opposite and not arms % 2 else None

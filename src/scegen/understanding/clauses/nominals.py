@@ -34,8 +34,7 @@ def read_mention(mention: Mention, state: State) -> None:
     if _emphasises(mention, state):
         return
     state.mentions.append(mention)
-    within = state.awaits("of")
-    state.topic = state.topic if within else None  # "the view of the road is blocked"
+    state.topic = state.topic if state.awaits("of") else None  # "the view of the road is blocked"
     if mention.possessor:
         return
     if state.prep is not None:
@@ -63,6 +62,7 @@ def read_mention(mention: Mention, state: State) -> None:
         anchor.object = mention
         stopped = anchor.name in _STOPPING and not anchor.negated
         anchor.subject = anchor.subject or [mention] * stopped  # "full braking stops the van"
+        _carried(anchor, mention, state)
     elif (described := _described(mention, state)) is not None:
         which = described if described.pronoun == "one" else mention
         named = described.is_ego or described.pronoun == "one"
@@ -93,35 +93,43 @@ def _takes(verb: Event, state: State) -> bool:
     if _waits_for_subject(verb, state) or _goes_on_with(verb, state):
         return False
     tells = "says" in verb.data or (verb.control == "subject" and isinstance(state.at(0), Mention))
-    reported = tells and state.verb_follows
-    return verb.object is None and not reported
+    return verb.object is None and not (tells and state.verb_follows)
 
 
 def _goes_on_with(verb: Event, state: State) -> bool:
     """``once it has cut in it brakes``: the next verb has no other subject."""
     complete = verb.finite and state.candidate_done and state.relative is None
     following = next((c for c in state.after(3) if c.cat != "manner"), NOTHING)
-    if not complete or verb.control == "object":
-        return False
-    if isinstance(following, Event):
-        return following.form == "s" and not following.nominal
-    return following.cat == "aux"
+    acts = isinstance(following, Event) and following.form == "s" and not following.nominal
+    return complete and verb.control != "object" and (acts or following.cat == "aux")
+
+
+def _carried(verb: Event, mention: Mention, state: State) -> None:
+    """``a lane change brings the ego into the left lane``: it changes lanes, into that one."""
+    doing = next((e for e in state.events if e.nominal and not e.subject), None)
+    if "carries" in verb.data and doing is not None:
+        _done_by(doing, mention)
+        verb.name, verb.object = "inert", None
+        state.events.remove(verb)
+        state.stand_at(doing)
+
+
+def _done_by(doing: Event, mention: Mention) -> None:
+    doing.subject, doing.form, doing.nominal, doing.finite = [mention], "s", False, True
 
 
 def _waits_for_subject(verb: Event, state: State) -> bool:
     """``while passing into the left lane the ego sees a van``: the ego passes and sees."""
     placed = verb.form == "ing" and not verb.subject and bool(verb.pps or verb.dirs)
-    follows = state.verb_follows
-    return placed and verb.i < state.chunks[state.k - 1].i and follows
+    return placed and verb.i < state.chunks[state.k - 1].i and state.verb_follows
 
 
 def _described(mention: Mention, state: State) -> Mention | None:
     """Whom a noun says more of: "V1 is a taxi", "V1 (a taxi)", "V1, a taxi, …"."""
-    anchor = state.anchor if isinstance(state.anchor, Mention) else None
     if _is_predicate(mention, state):
         return state.candidate
-    if bracketed(state) and anchor is not None:
-        return anchor
+    if bracketed(state) and isinstance(state.anchor, Mention):
+        return state.anchor
     return relative_noun(state) or apposed_to(state)
 
 
@@ -133,11 +141,9 @@ def _is_predicate(mention: Mention, state: State) -> bool:
         return False  # "the car that hits it is a taxi", not "is 20 m behind it in a van"
     bare = all(m.cat != "det" or m.value == "indef" for m in mention.mods[:1])
     bare = bare or mention.is_ego or who.is_ego or who.pronoun == "one"  # "the ego is the truck"
-    if "aux:be" not in state.between or mention.pronoun or mention.is_named or not bare:
-        return False
-    if state.between & {"copy", "conj", "sub", ","} or who.pronoun in {"it", "they"}:
-        return False
-    return not state.verb_follows
+    new = not (mention.pronoun or mention.is_named or who.pronoun in {"it", "they"})
+    only = "aux:be" in state.between and not state.between & {"copy", "conj", "sub", ","}
+    return only and bare and new and not state.verb_follows
 
 
 def _start_clause(mention: Mention, state: State) -> None:
@@ -169,8 +175,7 @@ def _prepositional(mention: Mention, prep: Prep, state: State) -> None:
     prep.target = mention
     mention.prep = prep.word
     last = state.last
-    undergoes = prep.value == "of" and last is not None and last.nominal and last.name in DONE_TO
-    if undergoes and last is not None and last.object is None:
+    if prep.value == "of" and last and last.nominal and last.name in DONE_TO and not last.object:
         last.object = mention  # "performs an overtaking manoeuvre of a van"
         state.stand_at(mention)
         return
@@ -183,19 +188,18 @@ def _prepositional(mention: Mention, prep: Prep, state: State) -> None:
     undergone = any(e.passive for e in state.events[-2:-1])  # "is forced into a stop by a van"
     doer = prep.value == "by" and state.anchor is last and not (undergone or state.between)
     done_by = {"by", "of", "for"} if last and last.name in _TURNS else {"by", "of"}
-    if last and last.nominal and prep.value in done_by and (doer or not last.subject):
+    gerund = last and doer and last.form == "ing" and state.verb_follows  # "swerving by a van"
+    if last and (last.nominal or gerund) and prep.value in done_by and (doer or not last.subject):
         last.subject = [mention]
     if last and last.parent and last.name == "light" and last.form == "ed" and prep.value == "by":
-        done = last.parent  # "a U-turn is made by a van": the van makes one
-        done.subject, done.form, done.nominal, done.finite = [mention], "s", False, True
-    named = prep.value in {"with", "against"}
+        _done_by(last.parent, mention)  # "a U-turn is made by a van": the van makes one
     if prep.value == "of" and state.anchor is not None and prep.on_mention is not None:
         prep.on_mention.whole = prep.on_mention.whole if owns else mention
         return
     if state.waiting is not None and state.verb_follows:
         state.last_pp = mention
         return
-    if named and state.candidate is None:
+    if prep.value in {"with", "against"} and state.candidate is None:
         _start_clause(mention, state)
     state.stand_at(mention)
 
@@ -208,8 +212,7 @@ def _owns_place(mention: Mention, state: State) -> bool:
     if not isinstance(place, Place) or place.kind not in _OWNED or place.owner is not None:
         return False
     place.owner = mention
-    beside = place.stands_after("in", "to")
-    mention.aside = place.kind == "side" and beside
+    mention.aside = place.kind == "side" and place.stands_after("in", "to")
     return True
 
 
@@ -222,10 +225,8 @@ def read_noun(noun: NounPhrase, state: State) -> None:
     if state.prep is None and opens and finite_follows(state.chunks, state.k + behind):
         of_one = whole is not noun or (isinstance(noun, Place) and noun.kind in _PARTS)
         part = of_one and whole.owner is not None
-        opens = not (state.events and "," in state.between and "sub" not in state.between)
-        opens = opens and (state.candidate is None or "sub" in state.between)
-        opens = opens or part
-        state.topic = noun if opens else None
+        first = state.candidate is None and not (state.events and "," in state.between)
+        state.topic = noun if first or part or "sub" in state.between else None
     if (prep := state.prep) is not None:
         if prep.value == "of" and state.topic is not None and noun.owner is not None:
             state.topic = noun  # "the right part of the ego's front strikes …"

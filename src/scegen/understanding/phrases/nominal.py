@@ -30,9 +30,8 @@ def is_nominal(mods: list[Term], head: Term, following: Term, chunks: list[Chunk
     named = any(m.cat == "label" for m in mods) and head.form == "base"
     if not any(m.cat in {*OPENERS, "dir", "manner"} for m in mods) and not named:
         return False  # "evasive lane change" is one as well
-    if mods[0].cat == "dir" and isinstance(previous, Event) and previous.control is None:
-        return False
-    if mods[0].cat == "dir" and previous is not None and previous.cat == "aux":
+    told = isinstance(previous, Event) and previous.control is None
+    if mods[0].cat == "dir" and previous is not None and (told or previous.cat == "aux"):
         return False  # "a bus that is oncoming turns left"
     if mods[0].value == "opposite" and len(mods) == 1 and isinstance(previous, Mention):
         return False  # "the car opposite turns left"
@@ -45,9 +44,8 @@ def is_nominal(mods: list[Term], head: Term, following: Term, chunks: list[Chunk
             return False
     last = next((m for m in reversed(mods) if m.cat != "manner"), mods[-1])
     pronominal = last.cat == "num" or last.value in {"another", "other", *POSITIONS}
-    if pronominal and head.form != "base":
-        return False
-    return not (mods[0].cat == "manner" and head.form == "s")
+    done = mods[0].cat == "manner" and head.form == "s"
+    return not (done or (pronominal and head.form != "base"))
 
 
 def _after_a_side(chunks: list[Chunk]) -> bool:
@@ -83,8 +81,7 @@ def ego_owns(heads: list[Term], following: Term) -> bool:
 
 def governed(chunks: list[Chunk]) -> bool:
     """Whether a side named next belongs to a preposition ("from left and right")."""
-    preposed = bool(chunks) and chunks[-1].cat in VERBAL_LINKS
-    return preposed or _after_a_side(chunks)
+    return (bool(chunks) and chunks[-1].cat in VERBAL_LINKS) or _after_a_side(chunks)
 
 
 _ROADS = frozenset({"highway", "road", "ramp"})

@@ -27,11 +27,11 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     for k, chunk in enumerate(chunks):
         if k < skip:
             continue
-        what, whose = chunk_at(chunks, k + 1), chunk_at(chunks, k + 2)
+        what = chunk_at(chunks, k + 1)
+        whose = chunk_at(chunks, k + 2) if what.value == "of" else None
         if ends(chunk):
             found, after = [*found, *after], []
-        of = what.value == "of" and isinstance(chunk, Event)
-        if of and isinstance(chunk, Event) and isinstance(whose, Mention) and _named(chunk, found):
+        if isinstance(chunk, Event) and isinstance(whose, Mention) and _named(chunk, found):
             comma = Term("punct", ",", chunk.i, chunk.i)  # "hits the open door of a van"
             opened = replace(chunk, mods=[], form="s")
             after = [comma, replace(whose, pps=[], same_as=whose), opened]
@@ -50,14 +50,15 @@ def open_doors(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             found.append(chunk)
             continue
         owner, opens = told
+        skip = next((m for m in range(k, len(chunks)) if chunks[m].i >= opens.j), len(chunks))
+        on = chunks[skip + 1 : skip + 2] if value_at(chunks, skip) == "in" else []
         before = chunk_at(found, len(found) - 1)
         if isinstance(before, Mention) and chunk.has("possessive", "genitive"):
             before.possessor = False
             found[-1:] = owner or [before]  # "the driver's door of a van"
         else:
-            found += owner or [_who(chunk, found)]
+            found += owner or [_who(chunk, [*found, *on])]  # "a door opens on a parked van"
         found.append(opens)
-        skip = next((m for m in range(k, len(chunks)) if chunks[m].i >= opens.j), len(chunks))
     return found + after
 
 
@@ -80,8 +81,8 @@ def _opening(chunks: list[Chunk], k: int, tokens: list[Token]) -> tuple[list[Chu
     while cat_at(chunks, verb) in _HELPS:
         verb += 1
     i = chunks[verb].i if verb < len(chunks) else len(tokens)
-    near = range(i, min(i + _REACH, len(tokens)))
-    end = next((j + 1 for j in near if tokens[j].low.startswith("open")), None)
+    near = enumerate(tokens[i : i + _REACH], i + 1)
+    end = next((j for j, token in near if token.low.startswith("open")), None)
     if end is None:
         return None
     shut = any(t.low in word_list("denying") for t in tokens[chunks[k].j : end])

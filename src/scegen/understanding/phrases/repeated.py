@@ -255,13 +255,15 @@ def _lane(
     over = isinstance(before, Event) and tokens[before.j - 1].low == "into"
     over = over and tokens[chunk.i - 2].base in word_list("shifting")  # "a van moves into it, too"
     if chunk.pronoun == "one":
-        side = before if isinstance(before, Place) and before.kind in {"side", "middle"} else chunk
+        led = before.cat == "prep" and value_at(chunks, k + 1) in {"in", "to"}
+        aside = chunk_at(chunks, k + 2) if led else before  # "for the one on the left"
+        side = aside if isinstance(aside, Place) and aside.kind in {"side", "middle"} else chunk
         middle = isinstance(side, Place) and side.kind == "middle"  # "of three, in the middle one"
         meant = (whole or named) is not None and (middle or _sided(side))
         if used and chunk.has("dir", "opposite"):
             return _as_lane(chunk, chunk)  # "leaves its lane and uses the oncoming one"
         alone = middle or side.head in (None, chunk.head)
-        return _as_lane(side, chunk) if meant and alone else None
+        return _as_lane(side if side is before else chunk, chunk) if meant and alone else None
     if chunk.pronoun == "it" and named is not None and (used or over or word == "in"):
         return replace(_as_lane(chunk, chunk), mods=named.mods)
     return None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import unicodedata
+from collections import Counter
 from functools import lru_cache
 
 from scegen.errors import InputError, NotTrafficError
@@ -39,12 +40,9 @@ def require_english(tokens: list[Token], text: str) -> None:
         msg = "the description is not written in Latin letters; only English is read"
         raise InputError(msg, where="description", hint=_HINT)
     words = [t.text.lower() for t in tokens if t.kind == "word"]
-    counts = dict.fromkeys(word_lists("languages"), 0)
-    for word in words:
-        for name in _languages().get(word, ()):
-            counts[name] += 1
-    english = counts.pop(_ENGLISH)
-    likeliest = max(counts, key=lambda name: counts[name])
+    counts = Counter(name for word in words for name in _languages().get(word, ()))
+    english = counts.pop(_ENGLISH, 0)
+    likeliest = max(counts, key=counts.__getitem__, default="")
     if counts[likeliest] >= _FEWEST and counts[likeliest] > english + len(words) * 0.1:
         msg = f"the description seems to be written in {likeliest}; only English is read"
         raise InputError(msg, where="description", hint=_HINT)
@@ -56,8 +54,7 @@ def require_english(tokens: list[Token], text: str) -> None:
 
 def _strange(token: Token) -> bool:
     """Whether no form of a word is known to the lexicon."""
-    known = load().words
-    return token.low not in known and not any(form in known for form, _ in token.forms)
+    return load().words.isdisjoint([token.low, *(form for form, _ in token.forms)])
 
 
 _PLACES = frozenset(
@@ -82,22 +79,19 @@ def require_traffic(terms: list[Term], tokens: list[Token]) -> None:
     Raises:
         NotTrafficError: if there is neither a participant nor a road.
     """
-    if any(_about_traffic(term, tokens) for term in terms):
-        return
-    if sum(_hints_at_traffic(terms, k, tokens) for k in range(len(terms))) >= _ENOUGH:
-        return
-    msg = "the text does not describe a traffic situation: it names no road and no vehicle"
-    raise NotTrafficError(msg, where="description", hint=_EXAMPLE)
+    hints = sum(_hints_at_traffic(terms, k, tokens) for k in range(len(terms)))
+    if hints < _ENOUGH and not any(_about_traffic(term, tokens) for term in terms):
+        msg = "the text does not describe a traffic situation: it names no road and no vehicle"
+        raise NotTrafficError(msg, where="description", hint=_EXAMPLE)
 
 
 def _about_traffic(term: Term, tokens: list[Token]) -> bool:
     if term.cat == "place":
         return term.value in _PLACES or (term.value == "signal" and term.j - term.i > 1)
     if term.cat == "actor":
-        words = {t.low for t in tokens[term.i : term.j]}
-        return term.value not in ANIMALS and not words & (
-            word_list("relevance_first_person") | word_list("people")
-        )
+        people = word_list("relevance_first_person") | word_list("people")
+        only_people = not people.isdisjoint(t.low for t in tokens[term.i : term.j])
+        return term.value not in ANIMALS and not only_people
     if term.cat == "verb":
         road = {t.low for t in tokens[term.i : term.j]} & word_list("roads")  # "runs into the road"
         return term.value in _DRIVING or bool(road) or tokens[term.i].forms[-1][0] == "drive"
@@ -117,5 +111,5 @@ def _hints_at_traffic(terms: list[Term], k: int, tokens: list[Token]) -> bool:
         return after is not None and "me" in after.data
     if term.cat == "manner":
         return term.value in {"fast", "slow", "wrong_way", "close"}
-    lamps = (term.cat, term.value) == ("noted", "lights")
+    lamps = (term.cat, term.value) in {("noted", "lights"), ("actor", "bus")}
     return lamps or (term.cat == "place" and term.value in {"signal", "path", "middle", "flank"})
