@@ -226,13 +226,13 @@ class Layout:
             self.draft.note_at(regulated, _NO_LIGHT_HERE)
 
     def _lateral(self) -> Basis | None:
-        lateral = {Approach.LEFT, Approach.RIGHT}
+        lateral, over = {Approach.LEFT, Approach.RIGHT}, {Maneuver.CROSS}  # a cyclist
+        vehicles = [e for e in self.draft.entities if e.moving_vehicle and e.maneuvers != over]
         for placement in self.draft.placements:
-            if placement.approaches == lateral and placement.entity.moving_vehicle:
+            if placement.approaches == lateral and placement.entity in vehicles:
                 return placement.basis.because("a vehicle comes across")
-        for entity in self.draft.entities:
-            crosses = entity.moving_vehicle and entity.approaches & lateral
-            if entity.by_heading is not None and crosses:
+        for entity in vehicles:
+            if entity.by_heading is not None and entity.approaches & lateral:
                 basis = entity.heading_basis or entity.by_heading
                 return basis.because("the ways of two vehicles cross")
         return None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from scegen.scenario.vocabulary import ANIMALS
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.clauses.coordination import auxiliary, coordinate, no_jam, told_beside
 from scegen.understanding.clauses.dependents import (
@@ -21,7 +22,7 @@ from scegen.understanding.phrases.lookahead import main_verb_follows
 PASSIVE = frozenset(
     {"collide", "cut_off", "block", "follow", "overtake", "bypass", "hide", "tailgate", "cause",
      "prevent", "precede", "encounter", "overlook", "pass", "cut_in", "cut", "avoid", "approach",
-     "undertake", "enter", "use", "door", "chase", "harm", "send", "yield"}
+     "undertake", "enter", "use", "door", "chase", "harm", "send", "yield", "breach"}
 )  # fmt: skip
 
 _DESCRIBING = PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate", "park"}
@@ -102,8 +103,7 @@ def _said_of_a_thing(event: Event, state: State) -> None:
 
 
 def _clause(event: Event, state: State) -> None:
-    anchor = state.anchor
-    between = state.between
+    anchor, between = state.anchor, state.between
     event.embedded = ("rel" in between and not is_closed(state)) or state.where
     event.supplement = {"rel", ","} <= between
     noun = _noun_described(event, state) if event.reduced else None
@@ -214,10 +214,9 @@ def _past_an_aside(event: Event, state: State) -> Mention | None:
     So does the van in "a van ahead of us, both doing 60 km/h, brakes".
     """
     one = state.candidate
-    if one is None or one.heads or one.pronoun is None:
-        return None
-    single = event.form == "s" and one.pronoun == "both"
-    if not single and (event.form != "base" or auxiliary(state)):
+    single = event.form == "s" and one is not None and one.pronoun == "both"
+    several = event.form == "base" and not auxiliary(state)
+    if one is None or one.heads or one.pronoun is None or not (single or several):
         return None
     fits = (m for m in state.mentions if m.heads and (m.plural and m.has("num")) != single)
     return next(fits, None)
@@ -231,11 +230,10 @@ def _on_foot(event: Event, state: State) -> Mention | None:
 
 def main_in_sentence(state: State) -> list[Mention]:
     """Who acts in the last main clause of the sentence."""
-    finite = [e for e in state.events if e.finite and e.subject]
-    finite = [e for e in finite if not e.embedded] or finite  # "hits a man who walks, killing …"
-    if finite:
-        return finite[-1].subject
-    return next((e.subject for e in reversed(state.events) if e.subject), [])
+    acting = [e for e in state.events if e.subject]
+    finite = [e for e in acting if e.finite]
+    main = [e for e in finite if not e.embedded]  # "hits a man who walks, killing …"
+    return next((e.subject for e in reversed(main or finite or acting)), [])
 
 
 def _noun_described(event: Event, state: State) -> Mention | None:
@@ -260,15 +258,17 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
     if event.finite and state.waiting is not None:
         event.subject = chain(state.waiting)
         return
-    if anchor is not state.candidate:
-        event.finite = event.finite and event.form != "ed"
+    event.finite = event.finite and (event.form != "ed" or anchor is state.candidate)
     last, known = state.last, told(anchor)
     done_to = last if last is not None and last.object is anchor else None
     if done_to is not None and done_to.name in {"cause", "prevent"}:
         depend(event, done_to, "ing")
     within = anchor.stands_after("in") and anchor.is_mass
+    led = [m for m in state.mentions for p in m.pps if p.value == "with" and p.target is anchor]
     if last is not None and within and event.form == "ing":
         event.subject = last.subject  # "is stopped in traffic waiting to turn"
+    elif led and anchor.noun in ANIMALS and not event.finite:
+        event.subject = led  # "a man with a dog crossing the road"
     elif known and located(anchor) and not event.finite and state.candidate is not None:
         event.subject = chain(state.candidate)  # "the car in front of it reversing towards it"
     elif done_to is not None and not event.finite and _by_doing(event, done_to, known, state):

@@ -217,7 +217,7 @@ def _is_of_the_verb(prep: Prep, event: Event, kerb: str) -> bool:
     met = any(p.value in {"into", "with"} and p.target is who for p in event.pps)
     if met and _from_behind(prep):  # "runs into the van from behind"
         return True
-    beside = event.name in _BESIDE and prep.names("side") and not _met_there(prep)
+    beside = event.name in _BESIDE and prep.names("side", "shoulder") and not _met_there(prep)
     beside = beside and not _stands_there(prep, event, kerb)
     of_verb = beside or _starts(event, prep) or own_lane(event, prep)
     return who is event.object and of_verb

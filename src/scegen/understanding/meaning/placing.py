@@ -27,12 +27,12 @@ def adjectives(mention: Mention, context: Context) -> None:
     first = term is not None and mention.head is not None and term.i < mention.head.i
     sides = {SIDES[d] for d in mention.dirs if first and d in SIDES}
     named = [context.tokens[term.i].low] if term is not None and context.draft.ego is None else []
-    pair = mention.plural and named == ["opposing"]  # "two opposing cars": each to the other
+    turning = mention.has("verb", "turn")  # "a right-turning cyclist"
+    pair = mention.entities if mention.plural and named == ["opposing"] else []  # to each other
     for entity in mention.entities:
-        seen = approaches or (sides if entity.kind in _FROM_THE_KERB else set())
+        seen = approaches or (sides if entity.kind in _FROM_THE_KERB and not turning else set())
         if seen and term is not None:
-            by = mention.entities[0] if pair else None
-            context.draft.place(entity, by, set(seen), Basis(term.i, term.j))
+            context.draft.place(entity, next(iter(pair), None), set(seen), Basis(term.i, term.j))
     for mod in mention.mods:
         if mod.cat == "compass":
             heading(mod, mention.entities)

@@ -100,7 +100,7 @@ _HELPS = frozenset({"aux", "manner"})
 _JOINTS = frozenset({"punct", "sub", "conj"})
 _FROM = frozenset({"from", "in"})
 _ENDS = frozenset({":", ",", "."})
-_LOOKING = 5
+_LOOKING = 8
 """Within so many words before a vehicle it is said that one looks from there."""
 
 
@@ -140,14 +140,14 @@ def under_test(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
 
 
 def filmed_from(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
-    """``View from inside a van: …``, ``dashcam in a lorry, …``: that one is the ego."""
+    """``View from inside a van: …``, ``camera of a lorry, …``: that one is the ego."""
     named = [k for k, c in enumerate(chunks) if isinstance(c, Mention) and c.heads]
     who = chunks[named[0]] if named else None
     if not isinstance(who, Mention) or not 0 < who.i <= _LOOKING:
         return chunks
     around = value_at(chunks, named[0] - 1), value_at(chunks, named[0] + 1)
     looks = {t.base for t in tokens[: who.i]} & word_list("filming")
-    of = low_at(tokens, who.i - 2) in word_list("views_of")  # "camera of a van: …"
+    of = low_at(tokens, who.i - 1) == "of" and low_at(tokens, who.i - 2) in word_list("views_of")
     egos = [h for c in chunks if isinstance(c, Mention) and c.is_ego for h in c.heads]
     another = any(h.data.get("ego") and not {"me", "speaks"} & {*h.data} for h in egos)
     plain = not (who.dirs or who.noun == "pedestrian") and not any(

@@ -97,10 +97,7 @@ class Roster:
         """Remembers a mention; ``settled``: the text says which way all of them go."""
         for group in self.groups[-1:]:
             group.settled = group.settled or (settled and group.members == found)
-        for entity in found:
-            if entity in self.recent:
-                self.recent.remove(entity)
-            self.recent.append(entity)
+        self.recent = [*(e for e in self.recent if e not in found), *dict.fromkeys(found)]
         if subject and found:
             if found != self.subject:
                 self.before = self.subject
@@ -158,7 +155,9 @@ class Roster:
     def named(self, reading: Reading, names: set[str], exclude: list[Entity]) -> list[Entity]:
         """``Two cars collided. Vehicle 1 …``: a new name goes to one without a name."""
         named = [e for e in self.entities if e.numbered]
-        found = self.claim(1, [*exclude, *named], reading)
+        apart = [g for g in self.groups if g.vague and named and "ahead" in g.members[0].loci]
+        others = [e for group in apart for e in group.members]  # "V1 slows for traffic ahead. V2 …"
+        found = self.claim(1, [*exclude, *named, *others], reading)
         for entity in found:
             entity.labels |= names
         return found

@@ -54,7 +54,7 @@ def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
     goal = event.object
     if isinstance(goal, Place) and (
         (goal.kind in _GOALS and event.name == "move")
-        or (goal.kind in _BRANCHES and event.lemma == "take")
+        or (goal.kind in _BRANCHES and event.name == "turn")
     ):
         sides = (d for d in goal.dirs if d in _OTHER)
         found |= {DIRECTIONS[d]: span(event, goal.i, goal.j) for d in sides}
