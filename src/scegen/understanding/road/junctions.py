@@ -16,7 +16,7 @@ from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
 _ARM_NOUNS = frozenset({"exit", "road", "leg"})
-_ARMS = frozenset({"side", "leg", "approach", "road", "access"})
+_ARMS = frozenset({"side", "leg", "approach", "road", "access", "direction"})
 _ASSUMED_EXITS = 4
 _WINDOW = 6
 _FEWEST_ARMS = 3
@@ -137,7 +137,7 @@ def _place_control(
 def _on_every_arm(terms: list[Term], k: int) -> Basis | None:
     """``stop signs on all four sides``, ``each approach has its own stop sign``."""
     marks = (m for m in range(k, 0, -1) if terms[m - 1].cat in {"punct", "sub"})
-    for m in range(next(marks, 0), min(k + 3, len(terms))):
+    for m in range(next(marks, 0), min(k + 5, len(terms))):
         on = m > 0 and terms[m - 1].cat == "prep"  # not "from every side cars come to a stop sign"
         arm = next((t for t in terms[m + 1 : m + 4] if t.cat not in {"num", "prep", "det"}), None)
         every = (terms[m].cat, terms[m].value) == ("quant", "all") and on == (m > k)

@@ -51,7 +51,7 @@ def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
                     crosses = across and event.name != "turn"  # "from the left, turns to the right"
                     way = Maneuver.STRAIGHT if crosses else DIRECTIONS[value]
                     found[way] = span(event, target.i, target.j)
-    if goal is not None and (takes or (goal.kind in _GOALS and event.name == "move")):
+    if goal is not None and (takes or (goal.kind in _GOALS and event.name in {"move", "enter"})):
         sides = (d for d in goal.dirs if d in _OTHER)
         found |= {DIRECTIONS[d]: span(event, goal.i, goal.j) for d in sides}
     return found
