@@ -32,7 +32,7 @@ def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
     if len(found) > 1 and any(low_at(tokens, t.j) == "into" for t in event.dirs):
         found.pop(Maneuver.STRAIGHT, None)  # "turns left straight into the path of a van"
     goal = event.object if isinstance(event.object, Place) else None
-    takes = goal is not None and goal.kind in _GOALS and event.lemma == "take"
+    takes = goal is not None and goal.kind in _GOALS and event.lemma in word_list("taking")
     named = (p.target for p in event.pps)
     lanes = {n.j for n in named if isinstance(n, Place) and n.kind == "lane"}
     for prep in event.pps:
