@@ -145,6 +145,7 @@ VALUES: dict[str, Named] = {
     "aside": lambda clause, c: {
         m: b for m, b in directions(clause.event, c.tokens).items() if m is not Maneuver.STRAIGHT
     },
+    "across": lambda clause, c: {Maneuver(c.across): clause.words},
     "either": _either,
     "exit": _exit,
 }
