@@ -134,8 +134,8 @@ def _by_a_part(event: Event, text: Telling) -> bool:
     helped = event.i > 0 and text.tokens[event.i - 1].low in word_list("required")
     first = event.i - helped  # "its front shall meet the bicycle"
     parts = (c for c in text.chunks if first in {c.j, getattr(getattr(c, "owner", None), "j", -1)})
-    # Whether one of some nouns is a part of a vehicle
-    return any(isinstance(n, Place) and n.kind in _BODY for n in (*by, *parts))
+    places = (n for n in (*by, *parts) if isinstance(n, Place) and n.kind in _BODY)
+    return any(n.opening in {"", "by", "of"} for n in places)  # no "car on the left meets …"
 
 
 def _in_time(scene: Clause, text: Telling) -> Ending | None:

@@ -54,8 +54,8 @@ def name_further(
 
 
 def numbered(head: Term, m: int, terms: list[Term], tokens: list[Token]) -> bool:
-    """``lane 2``: the number is the place's name."""
-    if cat_at(terms, m) != "num" or head.value not in {"lane", "road"}:
+    """``lane 2``, ``exit two``: the number is the place's name."""
+    if cat_at(terms, m) != "num" or head.value not in {"lane", "road", "exit"}:
         return False
     bare = cat_at(terms, m - 2) not in {"det", "dir"}
     written = tokens[terms[m].i].kind == "number"

@@ -16,7 +16,7 @@ from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
 _ARM_NOUNS = frozenset({"exit", "road", "leg"})
-_ARMS = frozenset({"side", "leg", "approach", "road", "access"})
+_ARMS = frozenset({"side", "leg", "approach", "road", "access", "direction"})
 _ASSUMED_EXITS = 4
 _WINDOW = 6
 _FEWEST_ARMS = 3
@@ -73,7 +73,7 @@ def read_junction(terms: list[Term], tokens: list[Token]) -> JunctionReading:
         elif term.cat == "shape":
             _shape(reading, terms, k, tokens)
         elif term.cat == "cue":
-            _set_kind(reading, JunctionKind.SKEWED, Basis(term.i, term.j), override=True)
+            _set_kind(reading, JunctionKind(term.value), Basis(term.i, term.j), override=True)
         elif term.cat == "control" and not absent.negated(terms, k):
             said.setdefault(Control(term.value), Basis(term.i, term.j))
         elif term.cat in {"num", "quant"}:
@@ -135,13 +135,15 @@ def _place_control(
 
 
 def _on_every_arm(terms: list[Term], k: int) -> Basis | None:
-    """``stop signs on all four sides``, ``a stop sign on each approach``."""
-    on, every, *rest = [*terms[k + 1 : k + 5], None, None]
-    if on is None or every is None or (on.cat, every.cat) != ("prep", "quant"):
-        return None
-    arms = [t for t in rest if t is not None and t.cat not in {"num", "prep", "det"}][:1]
-    told = every.value == "all" and any(t.value in _ARMS for t in arms)
-    return Basis(terms[k].i, arms[0].j) if told else None
+    """``stop signs on all four sides``, ``each approach has its own stop sign``."""
+    marks = (m for m in range(k, 0, -1) if terms[m - 1].cat in {"punct", "sub"})
+    for m in range(next(marks, 0), min(k + 5, len(terms))):
+        on = m > 0 and terms[m - 1].cat == "prep"  # not "from every side cars come to a stop sign"
+        arm = next((t for t in terms[m + 1 : m + 4] if t.cat not in {"num", "prep", "det"}), None)
+        every = (terms[m].cat, terms[m].value) == ("quant", "all") and on == (m > k)
+        if every and arm is not None and arm.value in _ARMS:
+            return Basis(min(terms[k].i, terms[m].i), max(terms[k].j, arm.j))
+    return None
 
 
 def _of_a_vehicle(terms: list[Term], k: int, tokens: list[Token]) -> bool:

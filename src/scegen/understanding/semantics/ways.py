@@ -15,10 +15,8 @@ from scegen.understanding.words.quantities import after_a_measure, quantity_at
 from scegen.understanding.words.tokens import Token, low_at
 
 DIRECTIONS = {"left": Maneuver.LEFT, "right": Maneuver.RIGHT, "straight": Maneuver.STRAIGHT}
-_BRANCHES = frozenset({"leg", "junction", "access"})
-"""What one takes ("the left fork")."""
-_GOALS = frozenset({"side", "leg", "access", "road"})
-"""What lies at one side of a junction, so that whoever goes there turns."""
+_GOALS = frozenset({"side", "leg", "access", "road", "junction"})
+"""What lies at one side of a junction ("the left fork"): who goes there, or takes it, turns."""
 _OTHER = {"left": "right", "right": "left"}
 SIDEWAYS = frozenset({Maneuver.LEFT, Maneuver.RIGHT})
 _WITHIN_LANE_M = 2.0
@@ -33,6 +31,8 @@ def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
     }
     if len(found) > 1 and any(low_at(tokens, t.j) == "into" for t in event.dirs):
         found.pop(Maneuver.STRAIGHT, None)  # "turns left straight into the path of a van"
+    goal = event.object if isinstance(event.object, Place) else None
+    takes = goal is not None and goal.kind in _GOALS and event.lemma in word_list("taking")
     named = (p.target for p in event.pps)
     lanes = {n.j for n in named if isinstance(n, Place) and n.kind == "lane"}
     for prep in event.pps:
@@ -40,7 +40,7 @@ def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
         over = low_at(tokens, prep.word.i - 1) == "over"
         if prep.word.i in lanes or after_a_measure(tokens, prep.word.i - over):
             continue  # "in the next lane to the left", "comes 1 m (over) to the left"
-        leads_there = prep.value in {"to", "into", "for"}
+        leads_there = takes or prep.value in {"to", "into", "for"}
         if leads_there and isinstance(target, Place) and target.kind in _GOALS:
             across = _came_from(event) & {_OTHER.get(d, "") for d in target.dirs}
             seen = target.has("possessive") and (prep.on_mention is not None or _goes_on(event))
@@ -51,11 +51,8 @@ def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
                     crosses = across and event.name != "turn"  # "from the left, turns to the right"
                     way = Maneuver.STRAIGHT if crosses else DIRECTIONS[value]
                     found[way] = span(event, target.i, target.j)
-    goal = event.object
-    if isinstance(goal, Place) and (
-        (goal.kind in _GOALS and event.name == "move")
-        or (goal.kind in _BRANCHES and event.name == "turn")
-    ):
+    there = event.name in {"move", "enter", "turn"}
+    if goal is not None and (takes or (goal.kind in _GOALS and there)):
         sides = (d for d in goal.dirs if d in _OTHER)
         found |= {DIRECTIONS[d]: span(event, goal.i, goal.j) for d in sides}
     return found
@@ -130,7 +127,6 @@ FACTS: dict[str, Callable[[Clause, Context], bool]] = {
 
 
 Named: TypeAlias = Callable[[Clause, Context], dict[Maneuver, Basis]]
-_EXITS = ("first", "second", "third", "fourth", "fifth", "sixth")
 
 
 def _either(clause: Clause, _: Context) -> dict[Maneuver, Basis]:
@@ -139,10 +135,10 @@ def _either(clause: Clause, _: Context) -> dict[Maneuver, Basis]:
     return dict.fromkeys((SIDEWAYS - denied) or {Maneuver.STRAIGHT}, clause.words)
 
 
-def _exit(clause: Clause, _: Context) -> dict[Maneuver, Basis]:
-    places = [p for p in clause.places() if p.kind == "exit"][:1]
-    named = [(p, _EXITS.index(m.value) + 1) for p in places for m in p.mods if m.value in _EXITS]
-    return {Maneuver(f"exit_{n}"): Basis(place.i, place.j) for place, n in named[:1]}
+def _exit(clause: Clause, context: Context) -> dict[Maneuver, Basis]:
+    exits = [p for p in clause.places() if p.kind == "exit"][:1]
+    counted = [(p, lanes.lane_number(p, context.tokens)) for p in exits]
+    return {Maneuver(f"exit_{n}"): Basis(way.i, way.j) for way, n in counted if n}
 
 
 VALUES: dict[str, Named] = {
@@ -150,6 +146,7 @@ VALUES: dict[str, Named] = {
     "aside": lambda clause, c: {
         m: b for m, b in directions(clause.event, c.tokens).items() if m is not Maneuver.STRAIGHT
     },
+    "across": lambda clause, c: {Maneuver(c.across): clause.words},
     "either": _either,
     "exit": _exit,
 }
