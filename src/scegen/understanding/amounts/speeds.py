@@ -156,7 +156,7 @@ def relative(figure: Figure) -> bool:
     told = word in word_list("faster_than") | word_list("slower_than")
     anybody = text.draft.entities if not told else []
     named = [e for e in (*figure.actors, *figure.subject, *anybody) if e.moving_vehicle]
-    who = next((e for e in named if e.speed is None), named[0] if told and named else None)
+    who = next((e for e in named if e.speed is None), next(iter(named), None) if told else None)
     meets = figure.does == "collide" and bool(text.acts(0, len(text.tokens), SLOWING))
     if who is None or (meets and not told):  # "hits it at a closing speed of …": after braking
         return False
@@ -171,11 +171,10 @@ def relative(figure: Figure) -> bool:
     if not told and text.context.oncoming(who if other.ego else other):
         own, sign = Interval(low=-own.high, high=-own.low), 1  # both together come so near
     low, high = sorted((own.low + sign * by.low, own.high + sign * by.high))
-    if low < 0:
-        return False
-    who.speed = Interval(low=low, high=high)
-    who.speed_basis = Basis(figure.i, figure.j + told, "measured from the speed of the other")
-    return True
+    if low >= 0:
+        who.speed = Interval(low=low, high=high)
+        who.speed_basis = Basis(figure.i, figure.j + told, "measured from the speed of the other")
+    return low >= 0
 
 
 _WAITS = frozenset({"wait", "yield", "cause", "hide"})

@@ -14,6 +14,7 @@ from scegen.understanding.words.tokens import Token, low_at
 
 _REACH = 13
 _BETWEEN = 3
+_NEAR = 5
 
 
 @cache
@@ -95,10 +96,17 @@ def window(tokens: list[Token], i: int, j: int, ends: dict[int, int]) -> Window:
         return window(tokens, ends[i - 1], j + 1, {})  # "26.7 m (1.6 s) behind": as the first
     aside = tokens[j : j + 1] and tokens[j].low == "," and _opens_aside(tokens, i)
     alone = j == len(tokens) or tokens[j].kind == "punct"
-    placed = i > 1 and tokens[i - 2].low in _any_of("places_before_lengths")
-    begin = i - 1 if alone and placed and tokens[i - 1].low == "," else i  # "a van ahead, 60 m."
+    listed = alone and low_at(tokens, i - 1) == ","  # "a van ahead, 60 m", "ahead of the ego, 60 m"
+    places = [k for k in range(max(0, i - _NEAR), i - 1) if _ends_apart(tokens, k, i)]
+    begin = places[-1] + 1 if listed and places else i
     resumes = _shared(tokens, j, ends)
     return Window(_before(tokens, begin, ends), _after(tokens, resumes + bool(aside)), resumes)
+
+
+def _ends_apart(tokens: list[Token], k: int, i: int) -> bool:
+    """Whether a word of place stands right before a comma, or before "of" and somebody there."""
+    last = k == i - 2 or low_at(tokens, k + 1) == "of"
+    return last and tokens[k].low in _any_of("places_before_lengths")
 
 
 def _shared(tokens: list[Token], j: int, ends: dict[int, int]) -> int:

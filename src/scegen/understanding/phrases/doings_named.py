@@ -56,7 +56,7 @@ def spell_out_doings(chunks: list[Chunk]) -> list[Chunk]:
 def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] | None:
     before = value_at(chunks, k - 1) if k else "."
     opens = before in BOUNDARIES or (before in _JOINTS and (event.nominal or event.form == "ing"))
-    if not opens or event.form not in {"base", "ing"}:
+    if not (opens or noted(event, k, chunks)) or event.form not in {"base", "ing"}:
         return None
     after = chunk_at(chunks, k + 1)
     where = chunks[k + 1 : k + 3] if isinstance(chunk_at(chunks, k + 2), Place) else []
@@ -67,7 +67,8 @@ def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] 
         done = any(isinstance(c, Event) for c in rest)
         # "Left turn, ego at 12 km/h", "Left turn at a junction, ego 12 km/h"
         return None if done else ([who_else, _verb(event), *where], m + 2)
-    m = k + 1 + isinstance(after, Thing)  # "manoeuvre"
+    where = where if value_at(chunks, m) == "by" else []  # "cut-in from the left by a van"
+    m = m if where else k + 1 + isinstance(after, Thing)  # "manoeuvre"
     named: dict[str, list[Chunk]] = {}
     while (group := _group(m, chunks)) and group[0] not in named:
         named[group[0]] = group[1]
@@ -86,8 +87,15 @@ def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] 
         return None if of_ego else ([teller_at(event.i), _verb(event), who], k + 1)
     of, by = named.get("of", []), named.get("by", [])
     if not by and event.name not in DONE_TO:  # but not "reversing out of a drive, …"
-        return ([*of, _verb(event)], m) if isinstance(of[0], Mention) else None
-    return [*(by or [teller_at(event.i)]), _verb(event), *of], m
+        return ([*of, _verb(event), *where], m) if isinstance(of[0], Mention) else None
+    return [*(by or [teller_at(event.i)]), _verb(event), *where, *of], m
+
+
+def noted(event: Event, k: int, chunks: list[Chunk]) -> bool:
+    """``Ego 80 km/h, cut-in from the left``: after a comma, in notes without a verb before it."""
+    opens = (j for j in range(k, 0, -1) if ends(chunks[j - 1]))
+    verbal = any(isinstance(c, Event) or c.cat == "aux" for c in chunks[next(opens, 0) : k])
+    return event.name == "cut_in" and value_at(chunks, k - 1) == "," and not verbal
 
 
 def _verb(event: Event) -> Event:
@@ -169,7 +177,8 @@ def entitle(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> No
 
 
 def _opens(doing: Event, chunks: list[Chunk]) -> bool:
-    return ends(next((c for c in reversed(chunks) if c.j <= doing.i), NOTHING))
+    k = next((k for k in range(len(chunks) - 1, -1, -1) if chunks[k].j <= doing.i), -1)
+    return ends(chunks[k] if k >= 0 else NOTHING) or noted(doing, k + 1, chunks)
 
 
 def _whole_title(doing: Event, title: list[Chunk], events: list[Event]) -> bool:

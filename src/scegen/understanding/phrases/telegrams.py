@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
-from scegen.understanding.phrases.doings_named import spell_out_doings, teller_at
+from scegen.understanding.phrases.doings_named import noted, spell_out_doings, teller_at
 from scegen.understanding.phrases.lookahead import GOVERNING, cat_at, chunk_at, ends, value_at
 from scegen.understanding.words.terms import Term
 
@@ -176,7 +176,8 @@ def _named_doing(event: Event, chunks: list[Chunk], k: int) -> bool:
     placed = cat_at(chunks, k + 1) in {"prep", "locus", "manner"}
     after = k + 1 + isinstance(chunk_at(chunks, k + 1), Thing)  # "scenario"
     listed = value_at(chunks, after) in {",", ":", "."}  # "Cut-in, ego 100 km/h, target …"
-    return bare and (placed or listed) and ends(chunk_at(chunks, k - 1))
+    opens = ends(chunk_at(chunks, k - 1)) or noted(event, k, chunks)
+    return bare and (placed or listed) and opens
 
 
 def _going(chunks: list[Chunk], k: int) -> list[Chunk]:

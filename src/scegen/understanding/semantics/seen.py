@@ -230,7 +230,8 @@ def _is_offset(phrase: Prep, clause: Clause, context: Context) -> bool:
     tokens, i, value, place = context.tokens, phrase.word.i, phrase.value, phrase.target
     if value == "to" and any(e.dirs & {"ahead", "behind"} for e in clause.actors):
         return True
-    number = ends_a_quantity(tokens, i)
+    across = not word_list("counted_off").isdisjoint(context.lows(i - 1, i))
+    number = ends_a_quantity(tokens, i - across)
     dimension = number.dimension if number is not None else ""
     if value == "from":  # "hit at 25 % from the left", "0.5 m from the right edge"
         edge = isinstance(place, Place) and tokens[place.j - 1].low in word_list("edges")

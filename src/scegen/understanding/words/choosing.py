@@ -275,7 +275,9 @@ def _left_or_gone(match: Match, tokens: list[Token], previous: Term) -> Entry:
     before = {previous.cat, previous.value}
     subject = bool(before & {"actor", "pronoun", "aux", ")"})  # "a cyclist (V2) left the …"
     left = begins(tokens, match.j, "det", "possessive", "place", "manner")
-    left = left or low_at(tokens, match.j) in word_list("leaving")
+    left = (left and low_at(tokens, match.j) != "lane") or low_at(tokens, match.j) in word_list(
+        "leaving"
+    )
     return match.get("verb" if subject and left else "dir")
 
 
