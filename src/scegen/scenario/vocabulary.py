@@ -331,7 +331,7 @@ class Maneuver(Word):
     STAY = (
         "stay",
         "stands all the time",
-        "one that stops or sets off (an act); who waits at its light (`light`)",
+        "one that stops or sets off (an act); who waits at its light to go on (`light`)",
         "a stationary car; somebody who waits and does not go on",
     )
     EXIT_1 = _exit(1, "first")
