@@ -71,7 +71,7 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     ending = text.found.ending
     if figure.role == "overlap" and ending is not None and len(ending.between) == _PAIR:
         return ending.between[0], ending.between[1]  # of those who touch
-    if " the next " in f"{' '.join(figure.words_around.after.split()[:4])} ":
+    if " ".join(figure.words_around.after.split()[:4]).endswith("the next"):
         return None  # "each 3 m clear of the next"
     if (meeting := before_they_meet(figure)) is not None:
         return (meeting[0], meeting[1]) if len(meeting) > 1 else None

@@ -93,9 +93,16 @@ def attach(prep: Prep, state: State) -> None:
         described.pps.append(prep)
         prep.predicate = "rel" not in state.between
     elif state.events and (prep.on_mention is None or state.anchor is not state.candidate):
-        _told_of(prep, state).pps.append(prep)
+        if not _of_another_noun(prep, state):
+            _told_of(prep, state).pps.append(prep)
     elif prep.on_mention is None and state.candidate is not None:
         state.candidate.pps.append(prep)
+
+
+def _of_another_noun(prep: Prep, state: State) -> bool:
+    """``moves to the right lane, and the road in front of the ego is free``: nobody is there."""
+    before = next((c for c in reversed(state.chunks) if c.j <= prep.word.i), None)
+    return "conj" in state.between and isinstance(before, Place) and before.prep is None
 
 
 def _noun(prep: Prep, state: State) -> Mention | None:

@@ -14,8 +14,8 @@ from scegen.units import UNITS
 OPENS = ATOMS | {"a", "half", "between"}
 """Words with which a quantity may begin."""
 _RANGE_WORDS = frozenset({"to", "and", "or"})
-_ABOVE = frozenset({"over", "above", "exceeding", "least", "beyond"})
-_BELOW = frozenset({"under", "below", "most"})
+_ABOVE = frozenset({"over", "above", "exceeding", "beyond"})
+_BELOW = frozenset({"under", "below"})
 _FEWER = frozenset({"less", "fewer", "slower", "lower", "shorter", "closer", "nearer", "smaller"})
 _ABOUT = frozenset({"about", "around", "approximately", "roughly", "nearly", "almost", "some",
                     "approx", "circa", "ca"})  # fmt: skip
@@ -195,13 +195,15 @@ def _build(tokens: list[Token], i: int, j: int, values: list[float], dimension: 
     before, last = low_at(tokens, i - 2), low_at(tokens, i - 1)
     than = last == "than"
     denied = low_at(tokens, i - 3) in {"no", "not"}  # "no less than 1.5 m"
-    less = (before in _FEWER) != denied
+    least = last == "least" or (than and denied and before in _FEWER)
     if len(values) > 1:
         pass
-    elif (last in _ABOVE and not _goes_over(tokens, i)) or (than and not less):
+    elif least or last == "most" or (before, last) == ("up", "to") or (than and denied):
+        note = f"the {'least' if least else 'most'} that is said is taken"
+    elif (last in _ABOVE and not _goes_over(tokens, i)) or (than and before not in _FEWER):
         note = f"'{last}' is read as up to 20 % more"
         value = Interval(low=low, high=high * (1 + 2 * _SPREAD))
-    elif last in _BELOW or than or (before, last) == ("up", "to"):
+    elif last in _BELOW or than:
         note = f"'{last}' is read as up to 20 % less"
         value = Interval(low=low * (1 - 2 * _SPREAD), high=high)
     elif last in _ABOUT:
