@@ -36,6 +36,18 @@ def granting(event: Event, state: State) -> Event | None:
     return None if any(child.form == "base" for child in let.children) else let
 
 
+def let_do(state: State) -> Mention | None:
+    """``lets a cyclist, riding at 20 km/h, go by``: who is let do something."""
+    whom = state.last.object if state.last is not None and state.last.control == "object" else None
+    return whom if isinstance(whom, Mention) and whom is state.anchor else None
+
+
+def on_foot(event: Event, state: State) -> Mention | None:
+    """``a child …, running``: who is on foot."""
+    on_foot = [m for m in state.mentions if m.noun == "pedestrian"]
+    return on_foot[-1] if event.name == "walk" and on_foot else None
+
+
 def _share_subject(event: Event, other: Event, state: State) -> None:
     """Who does the one does the other, also if they come later ("while making a turn, …")."""
     event.subject = other.subject

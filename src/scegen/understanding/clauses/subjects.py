@@ -11,7 +11,9 @@ from scegen.understanding.clauses.dependents import (
     gerund,
     granting,
     infinitive,
+    let_do,
     nominal,
+    on_foot,
 )
 from scegen.understanding.clauses.further import antecedent, is_closed, located, told
 from scegen.understanding.clauses.located import RESTING
@@ -173,7 +175,8 @@ def _subjectless(event: Event, state: State) -> None:
 
 def _after_comma(event: Event, state: State) -> None:
     who = state.waiting
-    beside = None if event.finite else _on_foot(event, state) or told_beside(state, "with", "by")
+    beside = let_do(state) or on_foot(event, state) or told_beside(state, "with", "by")
+    beside = None if event.finite else beside
     if (named := _past_an_aside(event, state)) is not None:
         event.subject = [named]
     elif event.form == "s" and state.dependent and "aux:be" in state.between and state.events:
@@ -220,12 +223,6 @@ def _past_an_aside(event: Event, state: State) -> Mention | None:
         return None
     fits = (m for m in state.mentions if m.heads and (m.plural and m.has("num")) != single)
     return next(fits, None)
-
-
-def _on_foot(event: Event, state: State) -> Mention | None:
-    """``a child …, running``: who is on foot."""
-    on_foot = [m for m in state.mentions if m.noun == "pedestrian"]
-    return on_foot[-1] if event.name == "walk" and on_foot else None
 
 
 def main_in_sentence(state: State) -> list[Mention]:
