@@ -22,7 +22,7 @@ from scegen.understanding.phrases.lookahead import main_verb_follows
 PASSIVE = frozenset(
     {"collide", "cut_off", "block", "follow", "overtake", "bypass", "hide", "tailgate", "cause",
      "prevent", "precede", "encounter", "overlook", "pass", "cut_in", "cut", "avoid", "approach",
-     "undertake", "enter", "use", "door", "chase", "harm", "send", "yield", "breach"}
+     "undertake", "enter", "use", "door", "chase", "harm", "send", "yield", "breach", "obey"}
 )  # fmt: skip
 
 _DESCRIBING = PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate", "park"}
