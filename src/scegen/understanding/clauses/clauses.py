@@ -151,22 +151,20 @@ class ClauseReader:
         before_event = event_follows(self._chunks, state.k)
         waits = isinstance(verb, Event) and verb.control
         opens = word.cat == "manner" and isinstance(following, Event) and following.form == "s"
-        if opens and after_event and not state.candidate_done:
-            state.ahead.append(word)  # "a cyclist riding ahead suddenly turns"
-            return
         copular = "aux:be" in state.between and not before_event and word.cat == "manner"
-        if copular and state.waiting is not None:
-            state.waiting.mods.append(word)  # "the one behind me is too close"
-            return
         predicate = not before_event or word.cat in {"dir", "state", "compass"}
         relative = word.cat == "quantity" and bool(state.events) and not state.between
         before_event = before_event and (not relative or self._clause_start())
         noun = state.last_pp or state.anchor
-        if word.cat == "state" and isinstance(noun, Mention) and {","} == state.between:
+        if opens and after_event and not state.candidate_done:
+            state.ahead.append(word)  # "a cyclist riding ahead suddenly turns"
+        elif copular and state.waiting is not None:
+            state.waiting.mods.append(word)  # "the one behind me is too close"
+        elif word.cat == "state" and isinstance(noun, Mention) and {","} == state.between:
             noun.mods.append(word)  # "hits the van, by then stationary, in the rear"
         elif "rel" in state.between and state.mentions and predicate:
             state.mentions[-1].mods.append(word)
-        elif before_event and (not after_event or waits) and word.cat not in {"dir", "compass"}:
+        elif before_event and (not after_event or waits) and not self._told_before(word):
             state.ahead.append(word)
         elif state.events and not self._clause_start():
             told = outside(state, word) if word.cat == "quantity" else state.events[-1]
@@ -177,6 +175,11 @@ class ClauseReader:
             state.ahead.append(word)  # "Suddenly a van …", "In reverse, the ego …"
         elif self.events and not state.mentions and word.cat != "quantity":
             self.events[-1].mods.append(word)
+
+    def _told_before(self, word: Term) -> bool:
+        """``a van following the ego too closely is unable to react``: how it follows."""
+        close = [e.embedded or not e.finite for e in self._state.events if word.value == "close"]
+        return any(close[-1:]) or word.cat in {"dir", "compass"}
 
     def _denied_way(self, word: Term) -> bool:
         """``turns right, not left``."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Event, Mention, NounPhrase
 from scegen.understanding.clauses.state import State
+from scegen.understanding.phrases.doings_named import DONE_TO
 
 _OPENING = frozenset({"against", "in", "with", "of"})
 _ABOUT_OTHERS = frozenset({"cause", "prevent", "block", "hide", "encounter", "overlook"})
@@ -71,6 +72,10 @@ def nominal(event: Event, state: State) -> None:
     if isinstance(anchor, Event) and not (state.between - {"either", "or"}):
         depend(event, anchor, "noun")
         during = state.prep is not None and state.prep.value != "to"  # "can't see during its turn"
+        of, who = state.at(1), state.at(2)
+        named = of.value in {"of", "by"} and isinstance(who, Mention)
+        if named and event.name not in DONE_TO and anchor.name not in {"light", "try"}:
+            return  # "is faced with a sudden stop of the car ahead"
         if not event.subject and (during or anchor.name not in _ABOUT_OTHERS):
             _share_subject(event, anchor, state)
     elif "conj" in state.between and state.events:
@@ -78,18 +83,12 @@ def nominal(event: Event, state: State) -> None:
         alternative(event, state.events[-1], state)
     elif state.prep is not None and not event.subject and not _opens(state):
         _in_a_phrase(event, state)
-    elif not event.subject and state.last is not None and _in_time(state):
+    elif not event.subject and state.last is not None and state.at(-1).value == "before":
         done = state.last.subject  # "stops after a cut-in"; "the ego brakes after a cut-in"
         own = any(m.cat == "possessive" for m in event.mods)
         event.subject = [] if not own and any(m.is_ego for m in done) else done
     elif not event.subject and not state.events and ("sub" in state.between or _opens(state)):
         state.pending.append(event)  # "after a right turn, the car …"
-
-
-def _in_time(state: State) -> bool:
-    """``after a cut-in``: the word before the noun."""
-    word = state.at(-1)
-    return word.value in {"after", "before"} and word.cat == "sub"
 
 
 def _opens(state: State) -> bool:
@@ -100,14 +99,13 @@ def _opens(state: State) -> bool:
 
 def _in_a_phrase(event: Event, state: State) -> None:
     """``is in the middle of a left turn``, ``during its left turn``: whose it is."""
-    who = state.waiting
-    last = state.last
+    who, last = state.waiting, state.last
     if who is not None and (last is None or last.j <= who.i):
         event.subject = chain(who)
     elif last is not None:
         made = last.object if last.control == "object" and state.awaits("to") else None
-        subject = chain(made) if isinstance(made, Mention) else last.subject
-        event.subject = subject  # "brings it to a stop"
+        # "brings it to a stop"
+        event.subject = chain(made) if isinstance(made, Mention) else last.subject
 
 
 def infinitive(event: Event, state: State, parent: Event | None = None) -> None:

@@ -21,7 +21,7 @@ from scegen.understanding.phrases.lookahead import finite_follows
 from scegen.understanding.words.terms import NOTHING
 
 _REACH = 3
-_PARTS = frozenset({"side", "flank"})
+_PARTS = frozenset({"side", "flank", "view"})
 _OWNED = frozenset({"side", "flank", "lane", "path", "right_of_way", "centerline"})
 _STOPPING = frozenset({"stop", "slow", "brake"})
 """What is done to somebody by what is nobody."""
@@ -190,9 +190,11 @@ def _prepositional(mention: Mention, prep: Prep, state: State) -> None:
     done_by = {"by", "of", "for"} if last and last.name in _TURNS else {"by", "of"}
     gerund = last and doer and last.form == "ing" and state.verb_follows  # "swerving by a van"
     if last and (last.nominal or gerund) and prep.value in done_by and (doer or not last.subject):
-        last.subject = [mention]
-    if last and last.parent and last.name == "light" and last.form == "ed" and prep.value == "by":
-        _done_by(last.parent, mention)  # "a U-turn is made by a van": the van makes one
+        last.subject = [] if owns and last.pps else [mention]  # "a turn across the path of a van"
+    made = next((e for e in reversed(state.events[:-1]) if e.nominal or e.form == "ing"), None)
+    if made and last and last.control == "subject" and last.form == "ed" and prep.value == "by":
+        last.subject = [mention]  # "a U-turn is made by a van": the van makes one
+        _done_by(made, mention)
     if prep.value == "of" and state.anchor is not None and prep.on_mention is not None:
         prep.on_mention.whole = prep.on_mention.whole if owns else mention
         return
@@ -223,7 +225,7 @@ def read_noun(noun: NounPhrase, state: State) -> None:
     opens = not state.events or bool(state.between & {"sub", ",", "conj"})
     whole, behind = _whole(noun, state)
     if state.prep is None and opens and finite_follows(state.chunks, state.k + behind):
-        of_one = whole is not noun or (isinstance(noun, Place) and noun.kind in _PARTS)
+        of_one = whole is not noun or (isinstance(noun, Place | Thing) and noun.kind in _PARTS)
         part = of_one and whole.owner is not None
         first = state.candidate is None and not (state.events and "," in state.between)
         state.topic = noun if first or part or "sub" in state.between else None

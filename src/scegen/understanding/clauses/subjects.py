@@ -22,12 +22,12 @@ from scegen.understanding.phrases.doings_named import teller_at
 from scegen.understanding.phrases.lookahead import main_verb_follows
 
 PASSIVE = frozenset(
-    {"collide", "cut_off", "block", "follow", "overtake", "bypass", "hide", "tailgate", "cause",
-     "prevent", "precede", "encounter", "overlook", "pass", "cut_in", "cut", "avoid", "approach",
-     "undertake", "enter", "use", "door", "chase", "harm", "send", "yield", "breach"}
+    {"collide", "leave", "cut_off", "block", "follow", "overtake", "bypass", "hide", "tailgate",
+     "cause", "prevent", "precede", "encounter", "overlook", "pass", "cut_in", "avoid", "approach",
+     "undertake", "enter", "use", "door", "chase", "harm", "send", "yield", "breach", "obey"}
 )  # fmt: skip
 
-_DESCRIBING = PASSIVE - {"enter", "use", "approach", "pass", "send"} | {"locate", "park"}
+_DESCRIBING = PASSIVE - {"enter", "leave", "use", "approach", "pass", "send"} | {"locate", "park"}
 """Verbs whose participle describes a noun ("a man hidden behind a van")."""
 
 _PASSING = frozenset({"overtake", "bypass", "pass"})

@@ -29,8 +29,10 @@ def adjectives(mention: Mention, context: Context) -> None:
     named = [context.tokens[term.i].low] if term is not None and context.draft.ego is None else []
     turning = mention.has("verb", "turn")  # "a right-turning cyclist"
     pair = mention.entities if mention.plural and named == ["opposing"] else []  # to each other
+    beside = sides | {Approach.ADJACENT} if term and "beside" in term.data else set()
     for entity in mention.entities:
-        seen = approaches or (sides if entity.kind in _FROM_THE_KERB and not turning else set())
+        kerb = entity.kind in _FROM_THE_KERB and not turning
+        seen = approaches or (sides if kerb and not beside else beside)
         if seen and term is not None:
             context.draft.place(entity, next(iter(pair), None), set(seen), Basis(term.i, term.j))
     for mod in mention.mods:
@@ -54,18 +56,19 @@ def _locus(prep: Prep, entities: list[Entity], event: Event | None, context: Con
     basis = Basis(prep.word.i, target.j if isinstance(target, Mention) else prep.word.j)
     if isinstance(target, Thing | Place):
         return
+    led = prep.who.entities if prep.who is not None else []
     if prep.value == "between":
-        by = prep.who.entities if prep.who is not None else []
-        for entity in entities if len(by) == 1 and by[0].ego else []:
+        for entity in entities if len(led) == 1 and led[0].ego else []:
             context.draft.place(entity, None, {Approach.ADJACENT}, basis)
         return  # "between the ego and the kerb"
     clause = Clause(event or Event("", prep.word.i, prep.word.j, ""), entities, [])
-    led = prep.who.entities if prep.who is not None else []
     circulate = any("circulates" in e.told for e in led)
     follows = prep.value == "behind" and not circulate and holds("gets_in_line", clause, context)
     moves = event is not None and event.name not in word_list("steady")
     if moves and prep.outer != "from" and not follows:
-        _behind_the_ego(prep, entities, basis, context)
+        afoot = [e for e in entities if prep.value == "behind" and not e.is_vehicle]
+        for entity in afoot if any(e.ego for e in led) else []:  # "crosses behind the ego": there
+            context.draft.place(entity, None, {Approach.BEHIND}, basis)
         return
     out_of = prep.outer == "from" and isinstance(target, Mention)
     aside = prep.value in {"behind", "ahead"} and holds("goes_past", clause, context)
@@ -74,26 +77,17 @@ def _locus(prep: Prep, entities: list[Entity], event: Event | None, context: Con
         return
     comes = target is None and (prep.outer, prep.value) == ("from", "ahead")
     approaches = {Approach.OPPOSITE if comes else Approach(prep.value)}
-    seen_from = target.entities if isinstance(target, Mention) else []
-    reference = seen_from[0] if seen_from else None
+    reference = led[0] if led else None
     if isinstance(target, Mention) and reference is None:
         return
-    if approaches == {Approach.ADJACENT} and any(e.parked for e in (*entities, *seen_from[:1])):
+    if approaches == {Approach.ADJACENT} and any(e.parked for e in (*entities, *led[:1])):
         return  # "1 m beside the parked cars": they have no lane of their own
     same = holds("the_same_way", clause, context)
     for entity in entities:
         if entity.is_vehicle or prep.value != "ahead" or same:
             context.draft.place(entity, reference, approaches, basis)
-    for other in seen_from[1:] if len(entities) == 1 else []:
+    for other in led[1:] if len(entities) == 1 else []:
         context.draft.place(other, entities[0], {INVERSE[a] for a in approaches}, basis)
-
-
-def _behind_the_ego(prep: Prep, entities: list[Entity], basis: Basis, context: Context) -> None:
-    """``crosses behind the ego``: on foot, that is where they are."""
-    whom = prep.who.entities if prep.value == "behind" and prep.who is not None else []
-    for entity in entities if any(e.ego for e in whom) else []:
-        if not entity.is_vehicle:
-            context.draft.place(entity, None, {Approach.BEHIND}, basis)
 
 
 def heading(term: Term, entities: list[Entity]) -> None:
@@ -133,14 +127,11 @@ def _at_its_end(mention: Mention, draft: Draft) -> None:
 
 def _queue_of_the_numbered(chunks: list[Chunk], events: list[Event], draft: Draft) -> None:
     """``first van brakes, second stops, third (the ego) is late``: one behind the other."""
-    numbered = {id(c): c for c in chunks if isinstance(c, Mention) and _ordinal(c) is not None}
-    braking = [m for e in events if e.name in _BRAKING for m in e.subject if id(m) in numbered]
+    numbered = [c for c in chunks if isinstance(c, Mention) and _ordinal(c) is not None]
+    braking = [m for e in events if e.name in _BRAKING for m in e.subject if m in numbered]
     if not braking:
         return
-    by_number: dict[int, Entity] = {}
-    for mention in numbered.values():
-        for entity in mention.entities[:1]:
-            by_number.setdefault(_ordinal(mention) or 0, entity)
+    by_number = {_ordinal(m) or 0: m.entities[0] for m in reversed(numbered) if m.entities}
     order = [by_number[n] for n in sorted(by_number)]
     apart = len(set(map(id, order))) == len(order) and all(e.moving_vehicle for e in order)
     basis = Basis(braking[0].i, braking[0].j, "they brake one after the other")

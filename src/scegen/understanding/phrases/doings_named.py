@@ -130,7 +130,8 @@ def _group(m: int, chunks: list[Chunk]) -> tuple[str, list[Chunk], int] | None:
     word, noun = value_at(chunks, m), chunk_at(chunks, m + 1)
     if word not in _DOERS or not isinstance(noun, Mention | Place):
         return None
-    end = m + 2
+    there = cat_at(chunks, m + 2) == "locus" and ends(chunk_at(chunks, m + 3))
+    end = m + 2 + there  # "by the van ahead"
     speed = chunk_at(chunks, end + 1)
     told = isinstance(noun, Mention) and value_at(chunks, end + 2) in _DOERS
     if told and isinstance(speed, Term) and speed.cat == "quantity":

@@ -27,7 +27,7 @@ def is_nominal(mods: list[Term], head: Term, following: Term, chunks: list[Chunk
     counted = [m.value for m in mods if m.cat != "manner"][-1:]
     if counted in (["both"], ["all"]):
         return False  # "both initially go"
-    named = any(m.cat == "label" for m in mods) and head.form == "base"
+    named = any(m.cat in {"label", "noted"} for m in mods) and head.form == "base"
     if not any(m.cat in {*OPENERS, "dir", "manner"} for m in mods) and not named:
         return False  # "evasive lane change" is one as well
     told = isinstance(previous, Event) and previous.control is None

@@ -184,8 +184,8 @@ def _done_to(event: Event, mentions: list[Mention], found: Bonds) -> None:
             found.follows[id(by)].append(event)
         if by is None or prep.on_mention not in (None, *event.subject):
             continue
-        known_already = bool(by.heads) and by.has("det", "def")  # "behind the broken-down car"
-        if is_it(by) or known_already or prep.value == "between":
+        told = by.has("det", "def") or by.has("state")  # "behind (the) broken-down car"
+        if is_it(by) or (by.heads and told) or prep.value == "between":
             for beside in (by, *(m for m in mentions if m.joined is by)):
                 found.unlike[id(beside)] += event.subject  # "between the ego and the van ahead"
 

@@ -137,11 +137,12 @@ def _owners_of(kind: str) -> Who:
 
 
 def _in_the_way(clause: Clause, context: Context) -> list[Entity]:
-    """Who is said to keep somebody from seeing; else the one that is parked there."""
+    """Who is said to keep somebody from seeing; else the one that is parked, or stands, there."""
     named = clause.event.whom("due", "with", "for", "by")
     named = [e for e in named if e.is_vehicle and not e.ego]
-    parked = [e for e in context.draft.entities if e.parked and e not in clause.targets]
-    return named or (parked if len(parked) == 1 else [])
+    there = [e for e in context.draft.entities if e.parked or (e.stands and not e.ego)]
+    still = [e for e in there if e not in clause.targets]
+    return named or (still if len(still) == 1 else [])
 
 
 def _others(clause: Clause, context: Context) -> list[Entity]:
