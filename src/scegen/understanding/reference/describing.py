@@ -251,7 +251,10 @@ def _at_the_wheel(mention: Mention, event: Event, tokens: list[Token]) -> bool:
     """``some guy comes towards us``, ``skids``, ``goes far too fast``: on a road, who drives."""
     words = {t.base for t in tokens[event.i : event.j]}
     aside = words & word_list("off_balance") or any(p.names("sidewalk") for p in event.pps)
-    if event.name not in _UNDERWAY | {"lose_control"} or aside:
+    light = isinstance(event.object, Place) and event.object.kind in {"signal", "stop_sign"}
+    if light and event.lemma in word_list("jumping"):
+        return True  # "runs a red light"
+    if event.name not in _UNDERWAY | _AT_SPEED or aside:
         return False
     at = [p.target for p in event.pps if tokens[p.word.i].low in word_list("at_somebody")]
     at += [event.object] if words & word_list("towards") else []
