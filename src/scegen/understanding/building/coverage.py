@@ -61,8 +61,8 @@ def unattached(
     ]
     title = next((k for k, token in enumerate(tokens) if token.low == ":"), 0)
     for before, term in zip([None, *terms], terms, strict=False):
-        cat = _sort(term, before)
-        if cat not in _INSTEAD or term.value in _EMPTY or len(found) >= _MOST:
+        cat, empty = _sort(term, before), term.value in _EMPTY or "figure" in term.data
+        if cat not in _INSTEAD or empty or len(found) >= _MOST:
             continue
         start, end = tokens[term.i].start, tokens[term.j - 1].end
         gauge = low_at(tokens, term.i - 1) in word_list("gauged")

@@ -97,8 +97,7 @@ def load() -> Lexicon:
 @lru_cache(maxsize=1)
 def load_contexts() -> list[dict[str, Any]]:
     """The rows that tell what a term is by the words around it."""
-    rows: list[dict[str, Any]] = _read("contexts")
-    return rows
+    return [*_read("contexts"), *_read("talk")]
 
 
 @cache

@@ -75,9 +75,8 @@ def told_by(term: Term, entities: list[Entity], context: Context) -> None:
     slow = kind is HazardKind.SLOW_DRIVING
     if slow:  # the ego under test may drive as slowly as it likes
         drivers = [e for e in drivers if "ego" not in e.named_by or "speaks" in e.named_by]
-    own = (
-        slow and "quantity" in term.data and all(e.ego for e in drivers)
-    )  # "I was only doing 25 km/h"
+    measured = not {"quantity", "figure"}.isdisjoint(term.data)
+    own = slow and measured and all(e.ego for e in drivers)  # "I was only doing 25 km/h"
     if kind is not None and drivers and not own:
         context.draft.hazard(kind, Basis(term.i, term.j), drivers)
     elif term.cat == "manner" and term.value == "close":

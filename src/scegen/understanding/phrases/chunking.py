@@ -71,7 +71,7 @@ class Chunker:
             return self._add(self._mine(term), k + 1)
         if (term.cat, term.value) == ("possessive", "genitive"):
             owner = self._last
-            if not isinstance(owner, Mention) or not self._owns(k):
+            if not isinstance(owner, Mention):
                 return self._add(term, k + 1)
             owner.possessor = True
         reached = self._noun_phrase(k)
@@ -94,13 +94,6 @@ class Chunker:
         kind = last.kind if isinstance(last, Place) else "lane"
         mine = [replace(term, value="first_person")]
         return Place(term.i, term.j, mine, None, None, kind=kind)
-
-    def _owns(self, k: int) -> bool:
-        """A genitive owns what follows, unless an adverb or auxiliary does (a stray 's)."""
-        follows = self._term(k + 1)
-        if follows.cat in {"", "aux", "neg", "prep", "punct", "det", "pronoun"}:
-            return False
-        return not self._is_adverb(follows)
 
     def _is_adverb(self, term: Term) -> bool:
         last = self._tokens[term.j - 1].low
@@ -195,7 +188,8 @@ class Chunker:
         verb = self._term(k + one + 1)  # "on the left one pulls out"
         acts = (verb.cat, verb.form) == ("verb", "s")
         side_first = one == _SIDE_WORDS and governed(self._chunks) and acts
-        if one > 0 and first.value == "def" and not side_first:  # "the one", "the red one"
+        opened = first.value == "def" or (first.value == "indef" and one > 1)
+        if one > 0 and opened and not side_first:  # "the one", "the red one", "a slow one"
             mention = Mention(first.i, mods[one].j, mods[:one], None, pronoun="one")
             return self._add(mention, k + one + 1)
         return self._everybody(mods, k) or self._side(mods, k)

@@ -26,11 +26,13 @@ from scegen.understanding.words.tokens import Token
 _UNDERWAY = frozenset({"use", "enter", "bypass", "pass", "move", "turn", "leave", "approach",
                        "follow", "speed", "collide"})  # fmt: skip
 _FROM_REST, _AWAY = frozenset({"unpark", "door"}), frozenset({"off", "away"})
+_AT_SPEED = frozenset({"collide", "speed", "lose_control"})
 _AGAIN = (
     frozenset({"overtake", "pass", "undertake", "bypass"}),
     frozenset({"cut_in", "lane_change", "merge", "return"}),
 )
 """What a second clause may tell of another time, so that its subject is the same."""
+_SIDES = frozenset({"left", "right", "opposite"})
 _OFF_THE_ROAD = frozenset({"access", "parking", "road", "junction"})
 _LADEN = {"": "carrying", "of": "laden", "with": "laden"}
 _SEATED = 4
@@ -92,7 +94,7 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     turns = vague or event.name in {"turn", "sharp_turn"}
     turns = turns and any(d.value in {"left", "right"} for d in event.dirs)
     turns = turns or ((_person(mention) or vague) and _in_traffic(event))
-    turns = turns or (vague and event.name in {"collide", "speed"} and not event.passive)
+    turns = turns or (vague and not event.passive and _at_the_wheel(mention, event, tokens))
     it = mention.pronoun == "it" and tokens[mention.i].low == "it"
     turns = turns or (it and event.name in _UNDERWAY and not event.passive)
     away = event.name == "leave" and event.object is None and tokens[event.j - 1].low in _AWAY
@@ -137,7 +139,7 @@ def _sides(pps: list[Prep]) -> frozenset[str]:
     """``the one from the left``, ``comes from the right``, ``in the left lane``."""
     places = [p.place for p in pps if p.value in {"from", "in"} and p.place is not None]
     named = [p for p in places if p.owner is None or p.owner.is_ego]
-    return frozenset(d for p in named for d in p.dirs if d in {"left", "right", "opposite"})
+    return frozenset(d for p in named for d in p.dirs if d in _SIDES)
 
 
 def _chases(events: list[Event]) -> None:
@@ -170,8 +172,8 @@ def _people_in_traffic(chunks: list[Chunk], events: list[Event], tokens: list[To
     """``the guy behind me``: somebody who is behind or in front, and does not walk, drives."""
     named = [c for c in chunks if isinstance(c, Mention)]
     walking = {id(m) for e in events if _on_foot(e) for m in e.subject}
-    seated = [m for m in named if m.heads and not m.is_ego and carried(m, chunks, tokens)]
-    aboard = [*filter(_aboard, named), *seated]
+    aboard = [m for m in named if m.head is not None and m.head.data.get("aboard")]
+    aboard += [m for m in named if m.heads and not m.is_ego and carried(m, chunks, tokens)]
     afoot = any(id(m) in walking for m in aboard)
     for who in [m for m in aboard if id(m) not in walking]:
         told = who.mod("det", "def") is not None and afoot  # "…; the ego hits the passenger"
@@ -179,11 +181,6 @@ def _people_in_traffic(chunks: list[Chunk], events: list[Event], tokens: list[To
     for who in [m for m in named if id(m) not in walking]:
         alike = who.has("manner", "wrong_way") or _along(who)
         who.marks |= {"drives"} if alike else set()
-
-
-def _aboard(mention: Mention) -> bool:
-    """``a passenger``: one who takes part only on foot."""
-    return mention.head is not None and bool(mention.head.data.get("aboard"))
 
 
 def carried(noun: NounPhrase, chunks: list[Chunk], tokens: list[Token]) -> bool:
@@ -209,6 +206,8 @@ def _along(mention: Mention) -> bool:
         return True  # "the bloke opposite"
     for prep in mention.pps if known else []:
         place, by = prep.place, prep.who
+        if prep.value == "from" and place is not None and "vague" in head.data:
+            return place.kind in _OFF_THE_ROAD or not _SIDES.isdisjoint(place.dirs)
         if place is not None and place.kind == "lane" and prep.value == "in" and place.dirs:
             return True
         seen = prep.target is None or (by is not None and (by.pronoun is not None or by.is_ego))
@@ -248,6 +247,22 @@ def _takes_a_turn(event: Event) -> bool:
     return event.name == "light" and isinstance(target, Place) and target.kind == "side"
 
 
+def _at_the_wheel(mention: Mention, event: Event, tokens: list[Token]) -> bool:
+    """``some guy comes towards us``, ``skids``, ``goes far too fast``: on a road, who drives."""
+    words = {t.base for t in tokens[event.i : event.j]}
+    aside = words & word_list("off_balance") or any(p.names("sidewalk") for p in event.pps)
+    light = isinstance(event.object, Place) and event.object.kind in {"signal", "stop_sign"}
+    if light and event.lemma in word_list("jumping"):
+        return True  # "runs a red light"
+    if event.name not in _UNDERWAY | _AT_SPEED or aside:
+        return False
+    at = [p.target for p in event.pps if tokens[p.word.i].low in word_list("at_somebody")]
+    at += [event.object] if words & word_list("towards") else []
+    fast = event.name in _AT_SPEED or event.how("fast") is not None
+    towards = any(isinstance(whom, Mention) and whom.is_ego for whom in at)
+    return fast or (towards and "walks" not in mention.marks)
+
+
 def _in_traffic(event: Event) -> bool:
     """``the man coming the other way``, ``she turns into her drive``: only drivers do so."""
     if event.name == "move":
@@ -255,6 +270,5 @@ def _in_traffic(event: Event) -> bool:
     goals: list[object] = [p.target for p in event.pps if p.value in {"into", "in"}]
     if event.name == "enter" and event.lemma in word_list("steering"):
         goals.append(event.object)
-    goes_in = any(isinstance(g, Place) and g.kind in _OFF_THE_ROAD for g in goals)
-    goes_in = goes_in and event.name in {"turn", "sharp_turn", "pull_over", "enter"}
-    return goes_in and not event.nominal
+    goes_in = event.name in {"turn", "sharp_turn", "pull_over", "enter"} and not event.nominal
+    return goes_in and any(isinstance(g, Place) and g.kind in _OFF_THE_ROAD for g in goals)

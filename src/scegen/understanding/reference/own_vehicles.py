@@ -100,10 +100,12 @@ def _ridden(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> No
     """``I'm on a motorbike``, ``he overtook me in a van``: whoever it is stands for it."""
     moving = [e for e in events if not (e.passive or e.nominal or e.name in _AT_REST)]
     told = [(m, p) for e in moving for m in e.subject if _may_ride(m) for p in e.pps]
-    told += [(c, p) for c in chunks if isinstance(c, Mention) and tells(c) for p in c.pps]
+    named = [c for c in chunks if isinstance(c, Mention)]
+    told += [(c, p) for c in named if tells(c) for p in c.pps]
+    taken = {c.j for c in named if is_somebody(c)}  # "I pass a woman on a bicycle"
     for who, prep in told:
         what, word = prep.who, tokens[prep.word.i].low
-        aboard = prep.value == "in" and word in word_list("aboard")
+        aboard = prep.value == "in" and word in word_list("aboard") and prep.word.i not in taken
         if aboard and what is not None and what.same_as is None and is_one_vehicle(what):
             what.same_as = who
             who.marks.add("drives")

@@ -1,4 +1,4 @@
-"""Terms whose class only the words around them tell, by the rows of ``lexicon/contexts.yaml``."""
+"""Terms whose class only the words around them tell: ``contexts.yaml``, ``talk.yaml``."""
 
 from __future__ import annotations
 

@@ -94,15 +94,7 @@ def after_a_phrase(token: Token, previous: Term, tokens: list[Token]) -> bool:
     sided = previous.cat == "dir" and previous.value in {"left", "right"}
     sided = sided and low_at(tokens, k - 2) in word_list("its")
     after = low_at(tokens, k + 1)
-    governs = begins(tokens, k + 1, "det", "possessive") or after in {
-        "to",
-        "and",
-        "from",
-        "it",
-        "left",
-        "right",
-    }
-    governs = governs or after in word_list("particles_across")
+    governs = begins(tokens, k + 1, "det", "possessive") or after in word_list("governed")
     return sided or (previous.cat in {"place", "locus", "compass"} and governs)
 
 

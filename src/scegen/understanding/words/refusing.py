@@ -46,21 +46,19 @@ def require_english(tokens: list[Token], text: str) -> None:
     if counts[likeliest] >= _FEWEST and counts[likeliest] > english + len(words) * 0.1:
         msg = f"the description seems to be written in {likeliest}; only English is read"
         raise InputError(msg, where="description", hint=_HINT)
-    strange = 0 if english else sum(t.kind == "word" and _strange(t) for t in tokens)
+    forms = ([t.low, *(form for form, _ in t.forms)] for t in tokens if t.kind == "word")
+    strange = 0 if english else sum(map(load().words.isdisjoint, forms))
     if strange >= _FEWEST and strange > _HALF * len(words):
         msg = "the description does not seem to be written in English; only English is read"
         raise InputError(msg, where="description", hint=_HINT)
-
-
-def _strange(token: Token) -> bool:
-    """Whether no form of a word is known to the lexicon."""
-    return load().words.isdisjoint([token.low, *(form for form, _ in token.forms)])
 
 
 _PLACES = frozenset(
     {"junction", "road", "highway", "lane", "crosswalk", "stop_sign", "yield_sign", "ramp",
      "access", "sidewalk", "centerline", "bike_lane", "bus_stop", "shoulder"}
 )  # fmt: skip
+_NAMED = frozenset({"signal", "right_of_way"})
+"""What only its full name tells: "traffic light"."""
 _DRIVING = frozenset(
     {"overtake", "lane_change", "brake", "hard_brake", "tailgate", "swerve", "cut_off", "park",
      "cut_in", "pull_out", "u_turn", "unpark", "pull_over"}
@@ -87,14 +85,14 @@ def require_traffic(terms: list[Term], tokens: list[Token]) -> None:
 
 def _about_traffic(term: Term, tokens: list[Token]) -> bool:
     if term.cat == "place":
-        return term.value in _PLACES or (term.value == "signal" and term.j - term.i > 1)
+        return term.value in _PLACES or (term.value in _NAMED and term.j - term.i > 1)
     if term.cat == "actor":
         people = word_list("relevance_first_person") | word_list("people")
         only_people = not people.isdisjoint(t.low for t in tokens[term.i : term.j])
         return term.value not in ANIMALS and not only_people
-    if term.cat == "verb":
-        road = {t.low for t in tokens[term.i : term.j]} & word_list("roads")  # "runs into the road"
-        return term.value in _DRIVING or bool(road) or tokens[term.i].forms[-1][0] == "drive"
+    if term.cat in {"verb", "env", "thing"}:
+        named = {t.low for t in tokens[term.i : term.j]} & word_list("of_traffic")  # "a car door"
+        return term.value in _DRIVING or bool(named) or tokens[term.i].forms[-1][0] == "drive"
     return term.cat == "quantity" and term.value == "speed"
 
 
@@ -109,6 +107,8 @@ def _hints_at_traffic(terms: list[Term], k: int, tokens: list[Token]) -> bool:
         return term.value in _HINTS or sided or loud or towards or "way" in term.data
     if term.cat == "locus":
         return after is not None and "me" in after.data
+    if term.value == "from":  # "from the left"
+        return [t.cat for t in terms[k + 1 : k + 3]] == ["det", "dir"]
     if term.cat == "manner":
         return term.value in {"fast", "slow", "wrong_way", "close"}
     lamps = (term.cat, term.value) in {("noted", "lights"), ("actor", "bus")}
