@@ -37,6 +37,7 @@ def mark_generic(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
         if id(chunk) in each and any(p.value == "ahead" for p in chunk.pps):
             chunk.negated = True  # "each 20 m from the car in front": the next of them
         bare = chunk.mod("det", "num", "quant", "possessive") is None and not chunk.is_ego
+        bare = bare and chunk.pronoun is None
         first = chunk.joined if bare else None  # "no vehicles or people", "without any vans or …"
         if first is not None and (first.negated or first.stands_after("without")):
             chunk.negated = True

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from scegen.scenario.junction import ARM_COUNTS
 from scegen.scenario.vocabulary import JunctionKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.phrases.listed import from_everywhere
-from scegen.understanding.road.junctions import JunctionReading
+from scegen.understanding.road.junctions import JunctionReading, shape_of
 
-_FEWEST = 3
+_FEWEST, _MOST = ARM_COUNTS[JunctionKind.MULTI_WAY]
 
 
 def share_arms(chunks: list[Chunk], events: list[Event]) -> list[tuple[Mention, list[Mention]]]:
@@ -36,9 +37,11 @@ def count_arms(shared: list[tuple[Mention, list[Mention]]], junction: JunctionRe
         members: list[Entity] = [e for m in together for e in m.entities if e.is_vehicle]
         known = junction.arms is not None
         shaped = junction.kind not in {None, JunctionKind.ROUNDABOUT}
-        if len(members) < _FEWEST or known or shaped:
+        if not _FEWEST <= len(members) <= _MOST or known or shaped:
             continue
         basis = Basis(one.i, one.pps[-1].target.j if one.pps[-1].target else one.j)
         junction.arms, junction.arms_basis = len(members), basis
+        if junction.kind is None:
+            junction.kind, junction.kind_basis = shape_of(len(members)), basis
         for arm, entity in enumerate(members):
             entity.entries, entity.entry_basis = {arm}, basis

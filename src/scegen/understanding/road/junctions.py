@@ -226,13 +226,18 @@ def _counted_arms(reading: JunctionReading, terms: list[Term], k: int) -> None:
     reading.named = reading.named or basis
 
 
+def shape_of(arms: int) -> JunctionKind:
+    """What a junction is of which only the number of arms is known."""
+    return {3: JunctionKind.T, 4: JunctionKind.FOUR_WAY}.get(arms, JunctionKind.MULTI_WAY)
+
+
 def _reconcile(reading: JunctionReading, tokens: list[Token]) -> None:
     arms = reading.arms
     if arms is None:
         return
     kind = reading.kind
     if kind is None:
-        kind = {3: JunctionKind.T, 4: JunctionKind.FOUR_WAY}.get(arms, JunctionKind.MULTI_WAY)
+        kind = shape_of(arms)
         reading.kind, reading.kind_basis = kind, reading.arms_basis
     elif kind is JunctionKind.FOUR_WAY and arms != ARM_COUNTS[kind][0]:
         kind = JunctionKind.MULTI_WAY if _bare_crossing(reading, tokens) else kind
