@@ -35,6 +35,7 @@ LANE_M = 2.0
 """Who goes so far to the side has changed lane."""
 _TURNS_DEG, _BEGUN_DEG, _BACK_DEG = 15.0, 5.0, 140.0
 _MOVES_M = 0.5
+_OUT_AND_HOME = 2
 
 
 def claims(told: Told) -> Iterator[Claim]:
@@ -103,17 +104,21 @@ def _stops(told: Told, name: str) -> bool:
 
 def _driven(told: Told, drive: Drive, field: str) -> Iterator[Claim]:
     name = drive.participant
-    if drive.maneuver is Maneuver.LANE_CHANGE and not _is_an_act(told, drive):
+    passes = any(h.kind is HazardKind.OVERTAKING and name in h.by for h in told.hazards)
+    aside = [act for act in told.acts_of(name) if act.kind in LEAVING]
+    stays = told.plain_road and passes and len(aside) < _OUT_AND_HOME
+    if drive.maneuver is Maneuver.LANE_CHANGE and (stays or not _is_an_act(told, drive)):
         to = f" to the {drive.changes_to}" if drive.changes_to else ""
-        does, test = f"{name} changes lane{to}", partial(_changes_lane, drive)
+        does = f"{name} changes lane{to}{' and stays there' if stays else ''}"
+        test = partial(_changes_lane, drive, stays)
         yield way_claim(f"lane_change.{name}", does, field, test)
     elif drive.maneuver is Maneuver.OVERTAKE and not _ended_from_beside(told, name):
         passed = [*told.functional.overtaken(name)]
         things = [t.id for t in told.functional.objects if t.in_way_of == name]
         whom = either(passed or things) if passed or things else "another who goes the same way"
         others = [p.id for p in told.people if p.id != name]
-        over = partial(_overtakes, name, passed or [*others, *things])
-        yield way_claim(f"overtake.{name}", f"{name} passes {whom}", field, over, fixed=False)
+        past = partial(_overtakes, name, passed or [*others, *things])
+        yield way_claim(f"overtake.{name}", f"{name} passes {whom}", field, past, fixed=False)
     if drive.turn in {Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN} and drive.reverses is None:
         does = "turns back" if drive.turn is Maneuver.U_TURN else f"turns {drive.turn}"
         held_up = not any(act.kind in LETS_BY for act in told.acts_of(name))
@@ -152,8 +157,9 @@ def _turns(drive: Drive, held_up: bool, view: View) -> Judged:
     return Judged(np.where(waits, 0.0, margin), turned, view.time_of(last))
 
 
-def _changes_lane(drive: Drive, view: View) -> Judged:
-    most, step = greatest(to_side(drive.changes_to, lateral_m(view, drive.participant, drive)))
+def _changes_lane(drive: Drive, stays: bool, view: View) -> Judged:
+    aside = to_side(drive.changes_to, lateral_m(view, drive.participant, drive))
+    most, step = (at(aside, view.last_step), view.last_step) if stays else greatest(aside)
     return Judged(most - LANE_M, most, view.time_of(step))
 
 

@@ -37,7 +37,15 @@ def all_acts(story: Story) -> list[Act]:
         acts += _manoeuvre(story, drive, acts)
     for name in story.in_bays:
         acts = _out_of_its_bay(story, name, acts)
-    return list(_from_rest(acts))
+    return [_sided(story, act) for act in _from_rest(acts)]
+
+
+def _sided(story: Story, act: Act) -> Act:
+    """Who passes another and stays out passes on the side to which it changes lanes."""
+    drives = (d for d in story.logical.drives if d.participant == act.participant)
+    side = next((d.changes_to for d in drives if d.changes_to), None)
+    unsaid = act.kind is ActKind.OVERTAKE and act.side is None
+    return act.model_copy(update={"side": side}) if unsaid else act
 
 
 def _out_of_its_bay(story: Story, name: str, acts: list[Act]) -> list[Act]:

@@ -21,7 +21,7 @@ from scegen.scenario.in_line import words_between
 from scegen.scenario.logical import Assignment, InLine
 from scegen.scenario.roadway import Carriageway
 from scegen.scenario.spacings import Measure
-from scegen.scenario.vocabulary import Approach, HazardKind, Side
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
 from scegen.scenario.wording import counted
 
 MOST_LANES = 3
@@ -157,6 +157,8 @@ def _from_acts(story: Story, count: int) -> Iterator[Wish]:
             if not inwards and not makes_room:
                 words = f"{name} has a lane on its {act.side} to pass in, or drives there"
                 yield Wish((name, *whom), SAID, _room(step, count), words)
+            elif inwards and story.does(name, Maneuver.LANE_CHANGE):
+                yield _among(name, LIKELY, frozenset(), f"{name} stays in the lane in which it passes")
             continue
         if act.kind is not ActKind.CHANGE_LANE or name not in runners or name in passing:
             continue

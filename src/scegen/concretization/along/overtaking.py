@@ -24,7 +24,7 @@ from scegen.motion.batch.arrays import Bools
 from scegen.motion.model import Array
 from scegen.scenario.acts import GAINING, Act, ActKind
 from scegen.scenario.spacings import Measure
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.vocabulary import HazardKind, Maneuver
 
 _CLEAR_M, _CLEAR_HURRYING_M = 6.0, 1.0
 _FASTER_MPS, _HARDLY_MPS = 6.0, 1.5
@@ -86,7 +86,7 @@ def passed_by(story: Story, act: Act) -> list[Runner]:
 def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     """Out as late as it can, past them all, and back so far ahead as is said, or usual.
 
-    Who drives in another lane than all of them, or is made room for, stays in it until then.
+    Who is told to change lanes, and not to come back, is out for good. Who drives in another lane than all of them, or is made room for, stays in it until then.
     """
     hazard = story.hazard_of(act)
     slow, foremost = line[0], line[-1]
@@ -139,13 +139,14 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     story.begins_s[act.id] = (
         first_s(partial(is_level, fast, slow, 0.0), begins) if stays else begins
     )
-    story.ends_s[act.id] = clear if stays or back is not None else clear + lasts
+    for_good = aside is None and out_lane > 0 and story.does(fast.id, Maneuver.LANE_CHANGE)
+    only_out = stays or back is not None or for_good
+    story.ends_s[act.id] = clear if only_out else clear + lasts
     if not stays:
         home = back.id if back is not None else act.id
-        fast.moves = [
-            Move(begins, lasts, out_lane, offset, act.id, hazard),
-            Move(clear, lasts, fast.lane, 0.0, home, hazard),
-        ]
+        fast.moves = [Move(begins, lasts, out_lane, offset, act.id, hazard)]
+        if back is not None or not for_good:
+            fast.moves.append(Move(clear, lasts, fast.lane, 0.0, home, hazard))
     elif back is not None:
         fast.moves.append(Move(clear, lasts, slow.lane, 0.0, back.id, hazard))
     if back is not None:

@@ -128,6 +128,10 @@ class Story(Tale):
         moments = [*slows, *(move.begins_s for move in comes or other.moves)]
         return min(moments, default=other.appears_s)
 
+    def does(self, name: str, maneuver: Maneuver) -> bool:
+        """Whether somebody drives along by that maneuver."""
+        return any((d.participant, d.maneuver) == (name, maneuver) for d in self.logical.drives)
+
     def ranks(self) -> dict[str, int]:
         """The order of those along the road in their direction, 0 = foremost; things before all."""
         known = {a.participant: a for a in self.logical.assignments}
@@ -196,8 +200,7 @@ class Story(Tale):
             )
         if self.comes_back(act):
             return False
-        drives = (d for d in self.logical.drives if d.participant == act.participant)
-        passing = any(d.maneuver is Maneuver.OVERTAKE for d in drives)
+        passing = self.does(act.participant, Maneuver.OVERTAKE)
         passing |= HazardKind.OVERTAKING in self.kinds_by(act.participant)
         if act.kind is ActKind.CHANGE_LANE and passing:
             return True

@@ -81,8 +81,10 @@ def _go_back(doing: Doing, first: Doing, scene: Clause, found: list[Doing]) -> N
 def _out_to_pass(found: list[Doing], text: Telling) -> None:
     """``changes to the left lane and overtakes it``: going over is how the passing begins.
 
-    Also "overtakes it by changing to the left lane", "swings out and passes it".
+    Also "overtakes it by changing to the left lane", "swings out and passes it". Who has changed
+    lanes to do so stays there, unless it is said to come back.
     """
+    strays, merged = text.draft.causing(HazardKind.ONCOMING_LANE), []
     for doing in [d for d in found if d.kind is ActKind.OVERTAKE]:
         own = [d for d in found if d.entity is doing.entity]
         n = own.index(doing)
@@ -93,7 +95,13 @@ def _out_to_pass(found: list[Doing], text: Telling) -> None:
                 found.remove(out)
                 doing.side, doing.side_basis = out.side, out.side_basis
                 doing.told += [out.i, *out.told]
-                doing.entity.maneuvers.discard(Maneuver.LANE_CHANGE)
+                merged.append(doing.entity)
+    back = [*strays, *(d.entity for d in found if d.kind is ActKind.CHANGE_LANE)]
+    for entity in text.draft.entities:
+        if entity not in back and Maneuver.LANE_CHANGE in entity.maneuvers:
+            entity.maneuvers.discard(Maneuver.OVERTAKE)
+        elif entity in merged:
+            entity.maneuvers.discard(Maneuver.LANE_CHANGE)
 
 
 def _back_from_there(found: list[Doing]) -> None:
