@@ -158,7 +158,7 @@ def _from_acts(story: Story, count: int) -> Iterator[Wish]:
                 words = f"{name} has a lane on its {act.side} to pass in, or drives there"
                 yield Wish((name, *whom), SAID, _room(step, count), words)
             elif inwards and story.does(name, Maneuver.LANE_CHANGE):
-                yield _among(name, LIKELY, frozenset(), f"{name} stays in the lane in which it passes")
+                yield _among(name, LIKELY, frozenset(), f"{name} stays where it passes")
             continue
         if act.kind is not ActKind.CHANGE_LANE or name not in runners or name in passing:
             continue

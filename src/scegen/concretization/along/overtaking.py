@@ -86,7 +86,8 @@ def passed_by(story: Story, act: Act) -> list[Runner]:
 def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     """Out as late as it can, past them all, and back so far ahead as is said, or usual.
 
-    Who is told to change lanes, and not to come back, is out for good. Who drives in another lane than all of them, or is made room for, stays in it until then.
+    Who drives in another lane than all of them, or is made room for, stays in it until then; who
+    is told to change lanes, and not to come back, is out for good.
     """
     hazard = story.hazard_of(act)
     slow, foremost = line[0], line[-1]
@@ -98,8 +99,7 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     told_now = [s for s in story.functional.spacings if s.at == act.id]
     at_once = act.when is not None or any(own >= {s.participant, s.reference} for s in told_now)
     hurries = bool(told_now) and not at_once  # who comes towards it is so near
-    quick = hurries or act.kind is ActKind.SWERVE
-    usual = ABRUPT_LANE_CHANGE_S if quick else LANE_CHANGE_S
+    usual = ABRUPT_LANE_CHANGE_S if hurries or act.kind is ActKind.SWERVE else LANE_CHANGE_S
     begins, lasts = _in_time(
         fast, slow, (out_lane, offset), (begins, usual), fixed=act.when is not None
     )
@@ -111,15 +111,11 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
         gains = SpeedChange(top, COMFORTABLE_ACCELERATION_MPS2, begins + lasts, act=act.id)
         fast.steps.append(gains)
     back = _back(story, act, slow)
-    making_room = {
-        each.participant
-        for each in story.acts
-        if each.kind is ActKind.CHANGE_LANE and (each.side is None or each.side is not act.side)
-    }
+    changing = [each for each in story.acts if each.kind is ActKind.CHANGE_LANE]
+    making_room = {e.participant for e in changing if e.side is None or e.side is not act.side}
     stays = all(each.lane != fast.lane or each.id in making_room for each in line)
     aside = story.between(fast.id, slow.id, Measure.LATERAL_GAP_M)
-    gaps = [s for s in story.functional.spacings if s.measure is Measure.GAP_M]
-    said_m = next((s.value.middle for s in gaps if back is not None and s.at == back.id), None)
+    said_m = _said_m(story, back)
     usual_m = _CLEAR_HURRYING_M if hurries else _CLEAR_M
     clear_m = said_m or (0.0 if stays and back is None else usual_m)
     is_clear = partial(_is_past, fast, foremost, clear_m)
@@ -139,18 +135,22 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     story.begins_s[act.id] = (
         first_s(partial(is_level, fast, slow, 0.0), begins) if stays else begins
     )
-    for_good = aside is None and out_lane > 0 and story.does(fast.id, Maneuver.LANE_CHANGE)
-    only_out = stays or back is not None or for_good
-    story.ends_s[act.id] = clear if only_out else clear + lasts
-    if not stays:
-        home = back.id if back is not None else act.id
-        fast.moves = [Move(begins, lasts, out_lane, offset, act.id, hazard)]
-        if back is not None or not for_good:
-            fast.moves.append(Move(clear, lasts, fast.lane, 0.0, home, hazard))
-    elif back is not None:
-        fast.moves.append(Move(clear, lasts, slow.lane, 0.0, back.id, hazard))
+    out_only = aside is None and out_lane > 0 and story.does(fast.id, Maneuver.LANE_CHANGE)
+    comes_home = back is not None or not (stays or out_only)
+    story.ends_s[act.id] = clear + lasts if comes_home and back is None else clear
+    moves = fast.moves if stays else [Move(begins, lasts, out_lane, offset, act.id, hazard)]
+    if comes_home:
+        into = slow if stays else fast
+        moves.append(Move(clear, lasts, into.lane, 0.0, (back or act).id, hazard))
+    fast.moves = moves
     if back is not None:
         story.begins_s[back.id], story.ends_s[back.id] = clear, clear + lasts
+
+
+def _said_m(story: Story, back: Act | None) -> float | None:
+    """How far ahead of somebody one is said to be when it comes back."""
+    gaps = (s for s in story.functional.spacings if s.measure is Measure.GAP_M)
+    return next((s.value.middle for s in gaps if back is not None and s.at == back.id), None)
 
 
 def _back(story: Story, act: Act, passed: Runner) -> Act | None:
