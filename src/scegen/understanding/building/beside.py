@@ -85,7 +85,10 @@ def _where_somebody_is(
     kerb, sides = Approach(draft.kerb), {Approach.LEFT, Approach.RIGHT}
     for entity in draft.entities:
         strip, basis = entity.strip or (None, None)
-        if strip is None or basis is None or Maneuver.CROSS in entity.maneuvers:
+        others = [e for e in draft.entities if e is not entity and not e.parked]
+        crossed = {e.moving_vehicle and Maneuver.CROSS not in e.maneuvers for e in others} != {True}
+        backs_up = crossed and entity in draft.causing(HazardKind.REVERSING)  # before nobody
+        if strip is None or basis is None or backs_up or Maneuver.CROSS in entity.maneuvers:
             entity.strip = None
             continue
         plain = kind is JunctionKind.STRAIGHT
@@ -212,6 +215,7 @@ def from_the_strip(draft: Draft, ego: Entity) -> None:
 def abreast(draft: Draft, ego: Entity) -> None:
     """On a straight road, a vehicle on the left is not one that comes out of a road there."""
     along = draft.implied.keys().isdisjoint({"access", "from_kerb"})
+    along &= ego.strip is None or ego not in draft.causing(HazardKind.REVERSING)  # out of a bay
     for entity in draft.entities if along else []:
         seen = entity.approaches
         alongside = entity.moving_vehicle and Maneuver.CROSS not in entity.maneuvers

@@ -23,7 +23,8 @@ _OVER_THE_ROAD = frozenset({HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_
 def _on_strip(entity: Entity, site: Site) -> None:
     """One who stands beside the lanes stands in nobody's way, and nobody overtakes it."""
     stands = entity.still or entity.was_parked is not None
-    if entity.ego and not stands:  # "a taxi overtakes the ego on the hard shoulder"
+    backs_out = site.clause.event.name == "reverse"
+    if entity.ego and not (stands or backs_out):  # "a taxi overtakes the ego on the hard shoulder"
         return
     if entity.strip is not None or site.noun.head is None:
         return
