@@ -47,7 +47,7 @@ def plan(
         or max(_min_lanes(functional, logical), lanes_to_turn_back(functional, logical)),
         crosswalks=frozenset(arm for arm in crossed if has_crosswalk(functional.junction, arm)),
         parking_lanes=frozenset(s.arm for s in standing_in_bays(functional, logical)),
-        u_turns=frozenset(drive.entry for drive in turning_back(logical)),
+        u_turns=frozenset(turning_back(functional, logical).values()),
     )
     parameters = with_turns(functional, logical, parameters)
     if functional.junction.kind is not JunctionKind.ROUNDABOUT:

@@ -127,28 +127,33 @@ def turns_across(
     return tuple(dict.fromkeys(found))
 
 
-def least_radius_m(drive: Drive, functional: FunctionalScenario) -> float:
+def least_radius_m(name: str, functional: FunctionalScenario) -> float:
     """The tightest circle of a vehicle's rear axle."""
-    return functional.participant(drive.participant).body.wheelbase_m / _STEERING
+    return functional.participant(name).body.wheelbase_m / _STEERING
 
 
-def turning_back(logical: LogicalScenario) -> list[Drive]:
-    """Those who leave by the arm by which they come."""
-    return [drive for drive in logical.drives if drive.entry == drive.exit]
+def turns_back_from_kerb(functional: FunctionalScenario, name: str) -> bool:
+    """Whether one that is parked at first turns back as it pulls out."""
+    participant = functional.participant(name)
+    return participant.parked and participant.maneuvers == {Maneuver.U_TURN}
+
+
+def turning_back(functional: FunctionalScenario, logical: LogicalScenario) -> dict[str, int]:
+    """Those who leave by the arm by which they come, or on which they are parked."""
+    kerb = (s for s in logical.standings if turns_back_from_kerb(functional, s.participant))
+    back = {drive.participant: drive.entry for drive in logical.drives if drive.entry == drive.exit}
+    return back | {standing.participant: standing.arm for standing in kerb}
 
 
 def lanes_to_turn_back(functional: FunctionalScenario, logical: LogicalScenario) -> int:
     """Lanes per direction on which a half circle is wide enough, on a road without a junction."""
-    drives, junction = turning_back(logical), functional.junction
-    if junction.kind is not JunctionKind.STRAIGHT or junction.lanes or not drives:
+    back, junction = turning_back(functional, logical), functional.junction
+    if junction.kind is not JunctionKind.STRAIGHT or junction.lanes or not back:
         return 1
-    radius = max(least_radius_m(drive, functional) for drive in drives)
-    wide = [
-        count
-        for count in range(_HALF_CIRCLE_LANES, _MOST_LANES + 1)
-        if _half_circle_m(count, junction.lanes_wide_m) >= radius
-    ]
-    return wide[0] if wide else _MOST_LANES
+    radius = max(least_radius_m(name, functional) for name in back)
+    counts = range(_HALF_CIRCLE_LANES, _MOST_LANES)
+    wide = (n for n in counts if _half_circle_m(n, junction.lanes_wide_m) >= radius)
+    return next(wide, _MOST_LANES)
 
 
 def _half_circle_m(lanes: int, width_m: float) -> float:
@@ -185,29 +190,22 @@ def _half_circles(
     if road.kind is not JunctionKind.STRAIGHT:
         return []
     found = []
-    for drive in turning_back(logical):
-        arm = road.arms[drive.entry]
+    for name, entry in turning_back(functional, logical).items():
+        arm = road.arms[entry]
         count = min(arm.lanes_in, arm.lanes_out)
         radius = max(_half_circle_m(count, arm.lane_width_m), _BULB_RADIUS_M)
-        needed = least_radius_m(drive, functional)
+        needed = least_radius_m(name, functional)
         if radius < needed:
-            kind = functional.participant(drive.participant).kind
+            kind = functional.participant(name).kind
             raise MotionInfeasibleError(
                 f"{with_article(kind)} turns back on a circle of {2 * needed:.1f} m across at the "
                 f"rear axle; {counted(count, 'lane')} per direction "
                 f"{'has' if count == 1 else 'have'} room for {2 * radius:.1f} m",
-                where=drive.participant,
+                where=name,
                 hint="Say that the road has more lanes, or let it turn back at a junction.",
             )
-        found.append(
-            Turn(
-                entry=drive.entry,
-                lane_in=count,
-                exit=drive.exit,
-                lane_out=count,
-                radius_m=round(min(radius, 50.0), 3),
-            )
-        )
+        least = round(min(radius, 50.0), 3)
+        found.append(Turn(entry=entry, lane_in=count, exit=entry, lane_out=count, radius_m=least))
     return list(dict.fromkeys(found))
 
 
@@ -231,8 +229,12 @@ def _late_turns(
         if Approach.OPPOSITE in seen_from(angles, first.entry, second.entry):
             late |= {first.participant: first, second.participant: second}
     radii = {
-        (drive.entry, drive.exit): max(_LATE_RADIUS_M, 1.1 * least_radius_m(drive, functional))
-        for drive in sorted(late.values(), key=lambda each: least_radius_m(each, functional))
+        (drive.entry, drive.exit): max(
+            _LATE_RADIUS_M, 1.1 * least_radius_m(drive.participant, functional)
+        )
+        for drive in sorted(
+            late.values(), key=lambda each: least_radius_m(each.participant, functional)
+        )
     }
     return [
         Turn(**asdict(way), radius_m=round(radii[way.entry, way.exit], 3))

@@ -45,6 +45,9 @@ def claims(told: Told) -> Iterator[Claim]:
         drive, crossing = told.drive(person.id), told.crossing(person.id)
         if person.pulls_out:
             yield _stands(told, person, pulls_out=True)
+            if person.maneuvers == {Maneuver.U_TURN}:
+                turned, does = partial(_turns_back, person.id), f"{person.id} turns back"
+                yield way_claim(f"turn.{person.id}", does, field, turned, unit="deg")
         elif person.parked or person.maneuvers == {Maneuver.STAY}:
             yield _stands(told, person, pulls_out=False)
         if drive is not None and person.maneuvers:
@@ -155,6 +158,12 @@ def _turns(drive: Drive, held_up: bool, view: View) -> Judged:
     waits = held_up & (begun | (at(along, last) <= arm.length_m)) & (np.abs(turned) < _TURNS_DEG)
     waits &= at(view.speed_mps(name), last) < STANDS_MPS
     return Judged(np.where(waits, 0.0, margin), turned, view.time_of(last))
+
+
+def _turns_back(name: str, view: View) -> Judged:
+    heading = view.row(name, HEADING)
+    turned = np.degrees(at(heading, view.last_step) - heading[:, 0])
+    return Judged(np.abs(turned) - _BACK_DEG, turned, view.time_of(view.last_step))
 
 
 def _changes_lane(drive: Drive, stays: bool, view: View) -> Judged:
