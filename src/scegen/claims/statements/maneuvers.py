@@ -144,10 +144,8 @@ def _ended_from_beside(told: Told, name: str) -> bool:
 
 def _turns(drive: Drive, held_up: bool, view: View) -> Judged:
     """The change of heading up to the end; who is held up before it or in it is still to turn."""
-    name = drive.participant
-    heading = view.row(name, HEADING)
-    last = view.last_step
-    turned = np.degrees(at(heading, last) - heading[:, 0])
+    name, last = drive.participant, view.last_step
+    turned = _turned_deg(name, view)
     if drive.turn is Maneuver.U_TURN:
         margin = np.abs(turned) - _BACK_DEG
     else:
@@ -160,9 +158,14 @@ def _turns(drive: Drive, held_up: bool, view: View) -> Judged:
     return Judged(np.where(waits, 0.0, margin), turned, view.time_of(last))
 
 
-def _turns_back(name: str, view: View) -> Judged:
+def _turned_deg(name: str, view: View) -> Floats:
     heading = view.row(name, HEADING)
-    turned = np.degrees(at(heading, view.last_step) - heading[:, 0])
+    turned: Floats = np.degrees(at(heading, view.last_step) - heading[:, 0])
+    return turned
+
+
+def _turns_back(name: str, view: View) -> Judged:
+    turned = _turned_deg(name, view)
     return Judged(np.abs(turned) - _BACK_DEG, turned, view.time_of(view.last_step))
 
 

@@ -37,15 +37,12 @@ def all_acts(story: Story) -> list[Act]:
         acts += _manoeuvre(story, drive, acts)
     for name in story.in_bays:
         acts = _out_of_its_bay(story, name, acts)
-    return [_sided(story, act) for act in _from_rest(acts)]
-
-
-def _sided(story: Story, act: Act) -> Act:
-    """Who passes another and stays out passes on the side to which it changes lanes."""
-    drives = (d for d in story.logical.drives if d.participant == act.participant)
-    side = next((d.changes_to for d in drives if d.changes_to), None)
-    unsaid = act.kind is ActKind.OVERTAKE and act.side is None
-    return act.model_copy(update={"side": side}) if unsaid else act
+    # Who passes another and stays out passes on the side to which it changes lanes.
+    sides = {d.participant: d.changes_to for d in story.logical.drives}
+    unsaid = {a.id for a in acts if a.kind is ActKind.OVERTAKE and a.side is None}
+    acts = [a.model_copy(update={"side": sides.get(a.participant)}) if a.id in unsaid else a
+            for a in acts]  # fmt: skip
+    return list(_from_rest(acts))
 
 
 def _out_of_its_bay(story: Story, name: str, acts: list[Act]) -> list[Act]:
@@ -131,10 +128,9 @@ def _implied(story: Story, hazard: Hazard, acts: list[Act]) -> Iterator[Act]:
     on_foot = hazard.to and all(functional.participant(to).kind in ON_FOOT for to in hazard.to)
     if hazard.kind in _OF_THE_DRIVER or (hazard.kind in FROM_BESIDE and on_foot):
         return  # who does not yield to people drives on
-    # Who swerves past another does so on its way round that one.
-    passing = {d.participant for d in story.logical.drives if d.maneuver is Maneuver.OVERTAKE}
-    by_passing = passing if hazard.kind is HazardKind.SWERVING else set()
-    for by in (name for name in hazard.by if name in runners.keys() - by_passing):
+    for by in (name for name in hazard.by if name in runners):
+        if hazard.kind is HazardKind.SWERVING and story.does(by, Maneuver.OVERTAKE):
+            continue  # on its way round another
         # Where there is no junction, joining and turning are moves aside.
         joins = hazard.kind in FROM_BESIDE
         for kind in (ActKind.CHANGE_LANE,) if joins else HAZARDS[hazard.kind].acts:

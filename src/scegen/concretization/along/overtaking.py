@@ -67,18 +67,15 @@ def passed_by(story: Story, act: Act) -> list[Runner]:
     """
     own = story.runners[act.participant]
     to = {*story.endangered_by(own.id, HazardKind.OVERTAKING)}
-    alike = {
-        name: runner
-        for name, runner in story.runners.items()
-        if runner.forward == own.forward and runner is not own and not runner.opens
-    }
+    others = (r for r in story.runners.values() if r is not own and not r.opens)
+    alike = {runner.id: runner for runner in others if runner.forward == own.forward}
     meant = to if act.into is None or act.into in to else {act.into}
     named = [alike[name] for name in meant if name in alike]
     if named:
         return sorted(named, key=lambda r: (r.at_m or 0.0) * r.sign)
     order = story.ranks()
-    line = [name for name, r in alike.items() if r.stands or order[name] < order[own.id]]
-    ahead = [alike[name] for name in sorted(line, key=lambda name: -order[name])]
+    line = (r for r in alike.values() if r.stands or order[r.id] < order[own.id])
+    ahead = sorted(line, key=lambda r: -order[r.id])
     standing = [r for r in ahead if r.stands and ahead[0].stands and r.lane == own.lane]
     return sorted(standing, key=lambda r: (r.at_m or 0.0) * r.sign) or ahead[:1]
 

@@ -178,11 +178,9 @@ class Story(Tale):
 
     def comes_back(self, act: Act) -> bool:
         """Whether a change of lane is how one who overtakes comes back."""
-        earlier = self.acts[: self.acts.index(act)]
-        overtakes = any(
-            a.participant == act.participant and a.kind is ActKind.OVERTAKE for a in earlier
-        )
-        return act.kind is ActKind.CHANGE_LANE and overtakes
+        earlier = [(a.participant, a.kind) for a in self.acts[: self.acts.index(act)]]
+        passes = (act.participant, ActKind.OVERTAKE) in earlier
+        return act.kind is ActKind.CHANGE_LANE and passes
 
     def goes_round(self, act: Act) -> bool:
         """Whether an act leads out of the lane, past somebody, and back.
@@ -198,12 +196,9 @@ class Story(Tale):
                 r.stands and not r.opens and (r.lane, r.forward) == (own.lane, own.forward)
                 for r in self.runners.values()
             )
-        if self.comes_back(act):
+        if act.kind is not ActKind.CHANGE_LANE or self.comes_back(act):
             return False
         passing = self.does(act.participant, Maneuver.OVERTAKE)
         passing |= HazardKind.OVERTAKING in self.kinds_by(act.participant)
-        if act.kind is ActKind.CHANGE_LANE and passing:
-            return True
-        said = (act.side, act.into, act.lateral_m)
         alone = self.lane_count == 1 and self.hazard_of(act) is None
-        return act.kind is ActKind.CHANGE_LANE and alone and not any(said)
+        return passing or (alone and not any((act.side, act.into, act.lateral_m)))
