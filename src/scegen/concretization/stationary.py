@@ -82,12 +82,9 @@ def place_stationary(scene: Setup) -> None:
         participant = scene.functional.participant(standing.participant)
         name, body = participant.id, participant.body
         motion = StandingMotion(
-            arm=standing.arm,
-            side=standing.side,
-            from_junction_m=0.0,
-            in_lane=standing.in_lane,
-            strip=participant.strip,
-        )
+            arm=standing.arm, side=standing.side, from_junction_m=0.0,
+            in_lane=standing.in_lane, strip=participant.strip,
+        )  # fmt: skip
         towards = heads_for_junction(scene.network, motion)
         inner = BLOCKS_STRAIGHT_AT_M if plain else BLOCKS_AT_M
         if not standing.in_lane:
@@ -206,9 +203,8 @@ def _may_stay(scene: Setup, draft: DriveDraft) -> bool:
     line = [one for one in line if one.drive.rank >= draft.drive.rank]
     names = {one.id for one in line}
     told = [{*hazard.by, *hazard.to} & scene.drives.keys() for hazard in scene.functional.hazards]
-    if scene.walks or not all(who <= names for who in told):
-        return False
-    if any(one.changes_before or one.drive.maneuver in SIDEWAYS for one in line):
+    aside = any(one.changes_before or one.drive.maneuver in SIDEWAYS for one in line)
+    if aside or scene.walks or not all(who <= names for who in told):
         return False
     others = [o for o in scene.drives.values() if o.id not in names and not same_lane(o, draft)]
     return not any(drives_meet(one, other) for one in line for other in others)
@@ -241,23 +237,15 @@ def _draft(scene: Setup, stand: StandDraft) -> DriveDraft:
     lane, back = route.entry_lane, route.exit == entry
     turn, change_m = (Maneuver.U_TURN, _SWINGS_OUT_M) if back else (Maneuver.STRAIGHT, _CHANGE_M)
     draft = DriveDraft(
-        id=name,
-        kind=stand.kind,
-        body=stand.body,
+        id=name, kind=stand.kind, body=stand.body,
         drive=Drive(
-            participant=name,
-            entry=entry,
-            move=(route.exit - entry) % len(scene.road.arms),
-            exit=route.exit,
-            turn=turn,
-            maneuver=turn,
+            participant=name, entry=entry, move=(route.exit - entry) % len(scene.road.arms),
+            exit=route.exit, turn=turn, maneuver=turn,
         ),
         speed_mps=min(_SHARE * scene.limit_mps, stand.body.top_speed_mps),
         entry_lane=strip_number(road, STANDING, inbound=True),
-        exit_lane=route.exit_lane,
-        ring_lane=route.ring_lane,
-        grip_mps2=scene.grip_mps2,
-    )
+        exit_lane=route.exit_lane, ring_lane=route.ring_lane, grip_mps2=scene.grip_mps2,
+    )  # fmt: skip
     draft.lane_changes = [
         LaneChange(
             position_m=round(start + _ROLLS_M, 3),

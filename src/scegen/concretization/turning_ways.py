@@ -51,8 +51,7 @@ def outer_of(functional: FunctionalScenario, drive: Drive, other: Drive) -> tupl
     """(on the kerb's side, on the centre line's side) of two; None if either will do."""
     names = drive.participant, other.participant
     said, back = is_outward(functional, *names), is_outward(functional, *names[::-1])
-    if said is None and back is not None:
-        said = not back
+    said = not back if said is None and back is not None else said
     if said is None:
         first, second = _bend(functional, drive), _bend(functional, other)
         turnless = functional.junction.kind in _WITHOUT_TURNS or first == second == 0
@@ -117,11 +116,8 @@ def turns_across(
         ways = [w for w in usual if (w.entry, w.exit) == (drive.entry, drive.exit)]
         if lane is None or not ways or any(w.lane_in == lane for w in ways):
             continue
-        together = [
-            other
-            for other in logical.drives
-            if other is not drive and other.exit == drive.exit and other.participant in lanes
-        ]
+        others = (other for other in logical.drives if other is not drive)
+        together = any(o.exit == drive.exit and o.participant in lanes for o in others)
         out = ways[0].lane_out if together else min(lane, road.arms[drive.exit].lanes_out)
         found.append(Turn(entry=drive.entry, lane_in=lane, exit=drive.exit, lane_out=out))
     return tuple(dict.fromkeys(found))
@@ -224,9 +220,8 @@ def _late_turns(
     turning = [drive for drive in logical.drives if drive.turn is across]
     late: dict[str, Drive] = {}
     for first, second in combinations(turning, 2):
-        if first.entry == second.entry or not _meant(functional, first, second):
-            continue
-        if Approach.OPPOSITE in seen_from(angles, first.entry, second.entry):
+        meant = first.entry != second.entry and _meant(functional, first, second)
+        if meant and Approach.OPPOSITE in seen_from(angles, first.entry, second.entry):
             late |= {first.participant: first, second.participant: second}
     radii = {
         (drive.entry, drive.exit): max(

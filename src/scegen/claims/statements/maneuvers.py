@@ -24,18 +24,12 @@ from scegen.scenario.functional import Participant
 from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
 from scegen.scenario.logical import Crossing, Drive
 from scegen.scenario.model import Interval
-from scegen.scenario.vocabulary import (
-    ON_FOOT,
-    HazardKind,
-    Maneuver,
-    Side,
-)
+from scegen.scenario.vocabulary import ON_FOOT, HazardKind, Maneuver, Side
 
 LANE_M = 2.0
 """Who goes so far to the side has changed lane."""
 _TURNS_DEG, _BEGUN_DEG, _BACK_DEG = 15.0, 5.0, 140.0
 _MOVES_M = 0.5
-_OUT_AND_HOME = 2
 
 
 def claims(told: Told) -> Iterator[Claim]:
@@ -109,8 +103,10 @@ def _driven(told: Told, drive: Drive, field: str) -> Iterator[Claim]:
     name = drive.participant
     passes = any(h.kind is HazardKind.OVERTAKING and name in h.by for h in told.hazards)
     aside = [act for act in told.acts_of(name) if act.kind in LEAVING]
-    stays = told.plain_road and passes and len(aside) < _OUT_AND_HOME
-    if drive.maneuver is Maneuver.LANE_CHANGE and (stays or not _is_an_act(told, drive)):
+    stays = told.plain_road and passes and not aside[1:]  # it does not come home
+    sides = {act.side for act in aside if act.kind is ActKind.CHANGE_LANE}  # claimed there
+    is_act = drive.changes_to in sides if drive.changes_to else bool(sides)
+    if drive.maneuver is Maneuver.LANE_CHANGE and (stays or not is_act):
         to = f" to the {drive.changes_to}" if drive.changes_to else ""
         does = f"{name} changes lane{to}{' and stays there' if stays else ''}"
         test = partial(_changes_lane, drive, stays)
@@ -127,12 +123,6 @@ def _driven(told: Told, drive: Drive, field: str) -> Iterator[Claim]:
         held_up = not any(act.kind in LETS_BY for act in told.acts_of(name))
         bends = partial(_turns, drive, held_up)
         yield way_claim(f"turn.{name}", f"{name} {does}", field, bends, unit="deg")
-
-
-def _is_an_act(told: Told, drive: Drive) -> bool:
-    """Whether its change of lane is one of the acts, to the same side: that is claimed there."""
-    own = (a for a in told.acts_of(drive.participant) if a.kind is ActKind.CHANGE_LANE)
-    return any(drive.changes_to in {None, act.side} for act in own)
 
 
 def _ended_from_beside(told: Told, name: str) -> bool:

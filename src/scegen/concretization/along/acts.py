@@ -109,11 +109,8 @@ def _passing_first(story: Story, hazard: Hazard, acts: list[Act]) -> list[Act]:
 
 def _place_of(implied: Act, acts: list[Act]) -> int:
     """At the end; a move aside before its doer stops, as nobody moves aside who stands."""
-    stops = (
-        n
-        for n, act in enumerate(acts)
-        if (act.participant, act.kind) == (implied.participant, ActKind.STOP)
-    )
+    its_stop = implied.participant, ActKind.STOP
+    stops = (n for n, act in enumerate(acts) if (act.participant, act.kind) == its_stop)
     return next(stops, len(acts)) if implied.kind in LEAVING else len(acts)
 
 

@@ -179,8 +179,7 @@ class Story(Tale):
     def comes_back(self, act: Act) -> bool:
         """Whether a change of lane is how one who overtakes comes back."""
         earlier = [(a.participant, a.kind) for a in self.acts[: self.acts.index(act)]]
-        passes = (act.participant, ActKind.OVERTAKE) in earlier
-        return act.kind is ActKind.CHANGE_LANE and passes
+        return act.kind is ActKind.CHANGE_LANE and (act.participant, ActKind.OVERTAKE) in earlier
 
     def goes_round(self, act: Act) -> bool:
         """Whether an act leads out of the lane, past somebody, and back.

@@ -61,32 +61,23 @@ def strips_beside(
                 draft.note_at(basis, _NOBODY_DRIVES)
             proofs.add("junction.strips", basis)
             found.add(strip)
-    if auxiliary is None:
-        found |= _stops(draft, proofs, plain=plain)
     _where_somebody_is(draft, proofs, found, plain=plain, ramp=auxiliary is not None)
     return frozenset(found)
-
-
-def _stops(draft: Draft, proofs: Proofs, *, plain: bool) -> set[Strip]:
-    """Who waits at a bus stop on foot does so behind it, on the pavement."""
-    found: set[Strip] = set()
-    for entity in draft.entities:
-        strip, basis = entity.strip or (None, None)
-        if strip is Strip.BUS_STOP and basis is not None and not entity.is_vehicle:
-            entity.strip = Strip.PAVEMENT, basis
-            if plain:
-                proofs.add("junction.strips", basis)
-                found.add(strip)
-    return found
 
 
 def _where_somebody_is(
     draft: Draft, proofs: Proofs, found: set[Strip], *, plain: bool, ramp: bool
 ) -> None:
-    """Adds the strips on which somebody is at first; who crosses starts behind them all."""
+    """Adds the strips on which somebody is at first; who crosses starts behind them all.
+
+    Who waits at a bus stop on foot does so behind it, on the pavement.
+    """
     kerb, sides = Approach(draft.kerb), {Approach.LEFT, Approach.RIGHT}
     for entity in draft.entities:
         strip, basis = entity.strip or (None, None)
+        if strip is Strip.BUS_STOP and basis is not None and not entity.is_vehicle and not ramp:
+            found |= {strip} if plain else set()
+            strip, entity.strip = Strip.PAVEMENT, (Strip.PAVEMENT, basis)
         others = [e for e in draft.entities if e is not entity and not e.parked]
         crossed = {e.moving_vehicle and Maneuver.CROSS not in e.maneuvers for e in others} != {True}
         backs_up = crossed and entity in draft.causing(HazardKind.REVERSING)  # before nobody
