@@ -57,7 +57,7 @@ def known(
 
 
 def _looks_on(roster: Roster, reading: Reading, mention: Mention) -> list[Entity]:
-    """``as seen by the driver``, ``in the view of one who looks forward``, ``the driver's left``."""
+    """``as seen by the driver``, ``in the view of one facing forward``, ``the driver's left``."""
     before = [t.low for t in roster.tokens[max(0, mention.i - 2) : mention.i]]
     seen_by = before[-1:] == ["by"] and reading.det == "def"
     view = before[-1:] == ["of"] and before[0] in word_list("views_of")
