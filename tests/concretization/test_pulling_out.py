@@ -75,3 +75,30 @@ def test_it_gains_the_speed_that_is_said_and_no_more(speed_kph):
     )
     changed = concrete.model_copy(update={"participants": people})
     assert "speed.x" in missed(functional, changed)
+
+
+@pytest.mark.parametrize(("side", "turned"), [("right", 180.0), ("left", -180.0)])
+@pytest.mark.parametrize("lanes", [0, 1])
+def test_it_turns_back_from_the_kerb(lanes, side, turned):
+    people = [EGO, parked("x", approach=side, maneuvers=["u_turn"])]
+    functional = told(
+        "straight", people, [("failure_to_yield", "x", "ego")], lanes=lanes, side=side
+    )
+    concrete = first(functional)
+    assert missed(functional, concrete) == set()
+    path = build_paths(concrete, build_network(concrete.road))["x"]
+    assert np.degrees(path.heading_rad[-1] - path.heading_rad[0]) == pytest.approx(turned)
+
+
+def test_where_no_way_leads_back_that_is_missed():
+    people = [EGO, parked("x", maneuvers=["u_turn"])]
+    functional = told("four_way", people, lanes=2)
+    assert missed(functional, first(functional)) == {"maneuver.turn.x"}
+
+
+def test_it_sets_off_when_it_is_said_to():
+    when = {"type": "measure", "measure": "gap_m", "participant": "ego", "reference": "x"}
+    acts = [{"id": "off", "participant": "x", "kind": "set_off", "when": when | {"value": 30.0}}]
+    people = [who("ego", maneuvers=["straight"], speed=50 * KMH), parked("x", maneuvers=["u_turn"])]
+    functional = told("straight", people, [("failure_to_yield", "x", "ego")], acts=acts)
+    assert missed(functional, first(functional)) == set()

@@ -80,16 +80,21 @@ def test_after_that_and_before_that(text, delays):
 
 
 @pytest.mark.parametrize(
-    "text",
+    ("text", "ways"),
     [
-        "The ego changes to the left lane and overtakes the truck.",
-        "The ego overtakes the truck by changing to the left lane.",
-        "The ego changes to the left lane, passes the truck and then returns to the right lane.",
+        ("The ego changes to the left lane and overtakes the truck.", ["lane_change"]),
+        ("The ego overtakes the truck by changing to the left lane.", ["lane_change"]),
+        ("The ego swings out to the left and overtakes the truck.", ["overtake"]),
+        ("The ego swings out to the left, overtakes the truck and stays there.", ["lane_change"]),
+        ("The ego overtakes the truck and keeps to the left lane.", ["lane_change"]),
+        ("The ego overtakes the truck on the left and does not come back.", ["lane_change"]),
+        ("The ego changes to the left lane, passes the truck and then returns to the right lane.",
+         ["overtake"]),
     ],
-)
-def test_going_over_to_pass_is_passing(text):
+)  # fmt: skip
+def test_going_over_to_pass_is_passing(text, ways):
     found = read(text)
-    assert [m.value for m in found.participant("ego").maneuvers] == ["overtake"]
+    assert [m.value for m in found.participant("ego").maneuvers] == ways
     assert (found.acts[0].kind.value, found.acts[0].side.value) == ("overtake", "left")
 
 

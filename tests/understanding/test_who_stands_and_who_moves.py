@@ -215,3 +215,18 @@ def test_who_pulls_out_of_a_strip_stood_there(text, strip):
     assert other.strip is not None
     assert other.strip.value == strip
     assert other.parked
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "A parked taxi on the right pulls away and makes a U-turn as the ego is 35 m short of it.",
+        "A car that was stopped on the right shoulder makes a U-turn when the ego is 35 m from it.",
+    ],
+)
+def test_who_turns_back_from_the_kerb_sets_off_for_that(text):
+    found = read(text)
+    parked = next(p for p in found.participants if p is not found.ego)
+    assert (parked.parked, parked.strip, parked.maneuvers) == (True, None, {Maneuver.U_TURN})
+    (act,) = (act for act in found.acts if act.when is not None)
+    assert (act.kind, act.when.value.middle) == (ActKind.SET_OFF, 35.0)

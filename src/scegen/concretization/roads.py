@@ -47,7 +47,7 @@ def plan(
         or max(_min_lanes(functional, logical), lanes_to_turn_back(functional, logical)),
         crosswalks=frozenset(arm for arm in crossed if has_crosswalk(functional.junction, arm)),
         parking_lanes=frozenset(s.arm for s in standing_in_bays(functional, logical)),
-        u_turns=frozenset(drive.entry for drive in turning_back(logical)),
+        u_turns=frozenset(turning_back(functional, logical).values()),
     )
     parameters = with_turns(functional, logical, parameters)
     if functional.junction.kind is not JunctionKind.ROUNDABOUT:
@@ -86,11 +86,10 @@ def _min_lanes(functional: FunctionalScenario, logical: LogicalScenario) -> int:
     plain = functional.junction.kind is JunctionKind.STRAIGHT
     beside_kinds = _SIDE_BY_SIDE_HAZARDS | (FROM_BESIDE if plain else frozenset())
     together = any(_among(drive, drives) for drive in drives) and bool(kinds & beside_kinds)
-    oncoming = HazardKind.ONCOMING_LANE in kinds
     swerves = roundabout and bool(kinds & SWERVING)
     changes = any(changes_before_turning(functional, drive) for drive in drives)
     wide = sideways or swerves or changes or (together and not roundabout)
-    return 2 if beside or (wide and not oncoming) else 1
+    return 2 if beside or (wide and HazardKind.ONCOMING_LANE not in kinds) else 1
 
 
 def passing_who_hides(
@@ -99,12 +98,8 @@ def passing_who_hides(
     """(who goes by, who stands) of those on one arm of whom one hides others by standing there."""
     hides = {n for h in functional.hazards if h.kind is HazardKind.OCCLUSION for n in h.by}
     stands = [d for d in drives if d.participant in hides and d.maneuver is Maneuver.STAY]
-    return [
-        (drive.participant, other.participant)
-        for other in stands
-        for drive in drives
-        if drive.entry == other.entry and drive is not other
-    ]
+    pairs = ((d, s) for s in stands for d in drives if d.entry == s.entry and d is not s)
+    return [(drive.participant, other.participant) for drive, other in pairs]
 
 
 def _among(drive: Drive, drives: tuple[Drive, ...]) -> bool:

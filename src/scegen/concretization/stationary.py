@@ -26,6 +26,7 @@ from scegen.concretization.others import StandDraft
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.tale import SIDEWAYS
 from scegen.concretization.things import lying_in_the_way, made_of, shape_of
+from scegen.concretization.turning_ways import turns_back_from_kerb
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import STANDING, strip_number
 from scegen.motion.standing import heads_for_junction, standing_path
@@ -51,7 +52,7 @@ _CLEAR_M, _WOULD_HIT_M = 0.45, 0.1
 _LEAST_WAY_M, _ROOM_M = 30.0, 6.0
 _SAMPLE_M, _APART_M = 0.5, 0.5
 _ROLLS_M = 0.5
-_CHANGE_M = 10.0
+_CHANGE_M, _SWINGS_OUT_M = 10.0, 8.0
 _LONG_CHANGE = 1.4
 """Lorries and buses, by their length, need more room than a car to leave a gap."""
 _LONG_M = 7.0
@@ -81,17 +82,16 @@ def place_stationary(scene: Setup) -> None:
         participant = scene.functional.participant(standing.participant)
         name, body = participant.id, participant.body
         motion = StandingMotion(
-            arm=standing.arm,
-            side=standing.side,
-            from_junction_m=0.0,
-            in_lane=standing.in_lane,
-            strip=participant.strip,
-        )
+            arm=standing.arm, side=standing.side, from_junction_m=0.0,
+            in_lane=standing.in_lane, strip=participant.strip,
+        )  # fmt: skip
         towards = heads_for_junction(scene.network, motion)
         inner = BLOCKS_STRAIGHT_AT_M if plain else BLOCKS_AT_M
         if not standing.in_lane:
             leaves = not plain and standing.arm in rows_to_leave
             inner = _ROOM_TO_PULL_OUT_M if leaves else CLEAR_OF_CORNER_M
+        if name in pulling and _route(scene, name, standing.arm).exit == standing.arm:
+            inner = max(_SWINGS_OUT_M * _long(body) + 2 * _ROLLS_M - body.front_m, 0.0)
         key = (standing.arm, standing.side, standing.in_lane)
         if key in filled:
             inner = filled[key]
@@ -203,9 +203,8 @@ def _may_stay(scene: Setup, draft: DriveDraft) -> bool:
     line = [one for one in line if one.drive.rank >= draft.drive.rank]
     names = {one.id for one in line}
     told = [{*hazard.by, *hazard.to} & scene.drives.keys() for hazard in scene.functional.hazards]
-    if scene.walks or not all(who <= names for who in told):
-        return False
-    if any(one.changes_before or one.drive.maneuver in SIDEWAYS for one in line):
+    aside = any(one.changes_before or one.drive.maneuver in SIDEWAYS for one in line)
+    if aside or scene.walks or not all(who <= names for who in told):
         return False
     others = [o for o in scene.drives.values() if o.id not in names and not same_lane(o, draft)]
     return not any(drives_meet(one, other) for one in line for other in others)
@@ -230,41 +229,27 @@ def _draft(scene: Setup, stand: StandDraft) -> DriveDraft:
             "is parked on the other side of the road: one that pulls out there comes into nobody's "
             "way on the ego's side",
             where=name,
-            hint="Say that it is parked on the ego's side, or let it turn back.",
+            hint="Say that it is parked on the ego's side.",
         )
     road = scene.network.arm_road(entry)
     start = road.length_m - stand.motion.from_junction_m
-    lane = scene.road.arms[entry].lanes_in
-
-    def bend_rad(route: Route) -> float:
-        last = scene.network.arm_road(route.exit).line.end.heading_rad
-        return abs((last - road.line.end.heading_rad) % (2 * pi) - pi)
-
-    routes = (route for found in scene.network.routes.values() for route in found)
-    ways = (route for route in routes if (route.entry, route.entry_lane) == (entry, lane))
-    route = min(ways, key=lambda way: (bend_rad(way), way.exit))
+    route = _route(scene, name, entry)
+    lane, back = route.entry_lane, route.exit == entry
+    turn, change_m = (Maneuver.U_TURN, _SWINGS_OUT_M) if back else (Maneuver.STRAIGHT, _CHANGE_M)
     draft = DriveDraft(
-        id=name,
-        kind=stand.kind,
-        body=stand.body,
+        id=name, kind=stand.kind, body=stand.body,
         drive=Drive(
-            participant=name,
-            entry=entry,
-            move=(route.exit - entry) % len(scene.road.arms),
-            exit=route.exit,
-            turn=Maneuver.STRAIGHT,
-            maneuver=Maneuver.STRAIGHT,
+            participant=name, entry=entry, move=(route.exit - entry) % len(scene.road.arms),
+            exit=route.exit, turn=turn, maneuver=turn,
         ),
         speed_mps=min(_SHARE * scene.limit_mps, stand.body.top_speed_mps),
         entry_lane=strip_number(road, STANDING, inbound=True),
-        exit_lane=route.exit_lane,
-        ring_lane=route.ring_lane,
-        grip_mps2=scene.grip_mps2,
-    )
+        exit_lane=route.exit_lane, ring_lane=route.ring_lane, grip_mps2=scene.grip_mps2,
+    )  # fmt: skip
     draft.lane_changes = [
         LaneChange(
             position_m=round(start + _ROLLS_M, 3),
-            length_m=_CHANGE_M * (_LONG_CHANGE if stand.body.length_m > _LONG_M else 1.0),
+            length_m=change_m * _long(stand.body),
             lane_after=lane,
             hazard=scene.hazard_of(implied("out", name, name, ActKind.CHANGE_LANE)),
         )
@@ -274,6 +259,25 @@ def _draft(scene: Setup, stand: StandDraft) -> DriveDraft:
     draft.steps = list(marks_of(scene, draft))
     scene.note(f"{name}.start_m", start, "is parked, and pulls out")
     return draft
+
+
+def _route(scene: Setup, name: str, entry: int) -> Route:
+    """The way out of the outermost lane that bends least; or back, where it is to turn back."""
+    lane = scene.road.arms[entry].lanes_in
+    heading_rad = scene.network.arm_road(entry).line.end.heading_rad
+    back = turns_back_from_kerb(scene.functional, name)
+
+    def bend_rad(route: Route) -> float:
+        last = scene.network.arm_road(route.exit).line.end.heading_rad
+        return abs((last - heading_rad) % (2 * pi) - pi)
+
+    routes = (route for found in scene.network.routes.values() for route in found)
+    ways = (route for route in routes if (route.entry, route.entry_lane) == (entry, lane))
+    return min(ways, key=lambda way: (back and way.exit != entry, bend_rad(way), way.exit))
+
+
+def _long(body: Body) -> float:
+    return _LONG_CHANGE if body.length_m > _LONG_M else 1.0
 
 
 def _meets(scene: Setup, draft: DriveDraft) -> list[Meeting]:

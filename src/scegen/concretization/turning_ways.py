@@ -51,8 +51,7 @@ def outer_of(functional: FunctionalScenario, drive: Drive, other: Drive) -> tupl
     """(on the kerb's side, on the centre line's side) of two; None if either will do."""
     names = drive.participant, other.participant
     said, back = is_outward(functional, *names), is_outward(functional, *names[::-1])
-    if said is None and back is not None:
-        said = not back
+    said = not back if said is None and back is not None else said
     if said is None:
         first, second = _bend(functional, drive), _bend(functional, other)
         turnless = functional.junction.kind in _WITHOUT_TURNS or first == second == 0
@@ -117,38 +116,40 @@ def turns_across(
         ways = [w for w in usual if (w.entry, w.exit) == (drive.entry, drive.exit)]
         if lane is None or not ways or any(w.lane_in == lane for w in ways):
             continue
-        together = [
-            other
-            for other in logical.drives
-            if other is not drive and other.exit == drive.exit and other.participant in lanes
-        ]
+        others = (other for other in logical.drives if other is not drive)
+        together = any(o.exit == drive.exit and o.participant in lanes for o in others)
         out = ways[0].lane_out if together else min(lane, road.arms[drive.exit].lanes_out)
         found.append(Turn(entry=drive.entry, lane_in=lane, exit=drive.exit, lane_out=out))
     return tuple(dict.fromkeys(found))
 
 
-def least_radius_m(drive: Drive, functional: FunctionalScenario) -> float:
+def least_radius_m(name: str, functional: FunctionalScenario) -> float:
     """The tightest circle of a vehicle's rear axle."""
-    return functional.participant(drive.participant).body.wheelbase_m / _STEERING
+    return functional.participant(name).body.wheelbase_m / _STEERING
 
 
-def turning_back(logical: LogicalScenario) -> list[Drive]:
-    """Those who leave by the arm by which they come."""
-    return [drive for drive in logical.drives if drive.entry == drive.exit]
+def turns_back_from_kerb(functional: FunctionalScenario, name: str) -> bool:
+    """Whether one that is parked at first turns back as it pulls out."""
+    participant = functional.participant(name)
+    return participant.parked and participant.maneuvers == {Maneuver.U_TURN}
+
+
+def turning_back(functional: FunctionalScenario, logical: LogicalScenario) -> dict[str, int]:
+    """Those who leave by the arm by which they come, or on which they are parked."""
+    kerb = (s for s in logical.standings if turns_back_from_kerb(functional, s.participant))
+    back = {drive.participant: drive.entry for drive in logical.drives if drive.entry == drive.exit}
+    return back | {standing.participant: standing.arm for standing in kerb}
 
 
 def lanes_to_turn_back(functional: FunctionalScenario, logical: LogicalScenario) -> int:
     """Lanes per direction on which a half circle is wide enough, on a road without a junction."""
-    drives, junction = turning_back(logical), functional.junction
-    if junction.kind is not JunctionKind.STRAIGHT or junction.lanes or not drives:
+    back, junction = turning_back(functional, logical), functional.junction
+    if junction.kind is not JunctionKind.STRAIGHT or junction.lanes or not back:
         return 1
-    radius = max(least_radius_m(drive, functional) for drive in drives)
-    wide = [
-        count
-        for count in range(_HALF_CIRCLE_LANES, _MOST_LANES + 1)
-        if _half_circle_m(count, junction.lanes_wide_m) >= radius
-    ]
-    return wide[0] if wide else _MOST_LANES
+    radius = max(least_radius_m(name, functional) for name in back)
+    counts = range(_HALF_CIRCLE_LANES, _MOST_LANES)
+    wide = (n for n in counts if _half_circle_m(n, junction.lanes_wide_m) >= radius)
+    return next(wide, _MOST_LANES)
 
 
 def _half_circle_m(lanes: int, width_m: float) -> float:
@@ -185,29 +186,22 @@ def _half_circles(
     if road.kind is not JunctionKind.STRAIGHT:
         return []
     found = []
-    for drive in turning_back(logical):
-        arm = road.arms[drive.entry]
+    for name, entry in turning_back(functional, logical).items():
+        arm = road.arms[entry]
         count = min(arm.lanes_in, arm.lanes_out)
         radius = max(_half_circle_m(count, arm.lane_width_m), _BULB_RADIUS_M)
-        needed = least_radius_m(drive, functional)
+        needed = least_radius_m(name, functional)
         if radius < needed:
-            kind = functional.participant(drive.participant).kind
+            kind = functional.participant(name).kind
             raise MotionInfeasibleError(
                 f"{with_article(kind)} turns back on a circle of {2 * needed:.1f} m across at the "
                 f"rear axle; {counted(count, 'lane')} per direction "
                 f"{'has' if count == 1 else 'have'} room for {2 * radius:.1f} m",
-                where=drive.participant,
+                where=name,
                 hint="Say that the road has more lanes, or let it turn back at a junction.",
             )
-        found.append(
-            Turn(
-                entry=drive.entry,
-                lane_in=count,
-                exit=drive.exit,
-                lane_out=count,
-                radius_m=round(min(radius, 50.0), 3),
-            )
-        )
+        least = round(min(radius, 50.0), 3)
+        found.append(Turn(entry=entry, lane_in=count, exit=entry, lane_out=count, radius_m=least))
     return list(dict.fromkeys(found))
 
 
@@ -226,13 +220,16 @@ def _late_turns(
     turning = [drive for drive in logical.drives if drive.turn is across]
     late: dict[str, Drive] = {}
     for first, second in combinations(turning, 2):
-        if first.entry == second.entry or not _meant(functional, first, second):
-            continue
-        if Approach.OPPOSITE in seen_from(angles, first.entry, second.entry):
+        meant = first.entry != second.entry and _meant(functional, first, second)
+        if meant and Approach.OPPOSITE in seen_from(angles, first.entry, second.entry):
             late |= {first.participant: first, second.participant: second}
     radii = {
-        (drive.entry, drive.exit): max(_LATE_RADIUS_M, 1.1 * least_radius_m(drive, functional))
-        for drive in sorted(late.values(), key=lambda each: least_radius_m(each, functional))
+        (drive.entry, drive.exit): max(
+            _LATE_RADIUS_M, 1.1 * least_radius_m(drive.participant, functional)
+        )
+        for drive in sorted(
+            late.values(), key=lambda each: least_radius_m(each.participant, functional)
+        )
     }
     return [
         Turn(**asdict(way), radius_m=round(radii[way.entry, way.exit], 3))

@@ -62,3 +62,19 @@ CASES = {
 def test_it_holds_from_the_first(name):
     functional = CASES[name]
     assert missed(functional, first(functional)) == set()
+
+
+def passes(maneuver, side="left"):
+    people = [ego(100), other("x", 130, ["behind"], [maneuver])]
+    acts = [act("o", "x", "overtake", into="ego", side=side)]
+    return told("straight", people, [("overtaking", "x", "ego")], acts=acts)
+
+
+@pytest.mark.parametrize("side", ["left", None])
+def test_who_is_told_to_change_lanes_stays_out_in_a_lane_of_its_direction(side):
+    out = first(passes("lane_change", side))
+    assert missed(passes("lane_change", side), out) == set()
+    assert len(out.participant("x").motion.lane_changes) == 1
+    home = first(passes("overtake"))
+    assert missed(passes("overtake"), home) == set()
+    assert "maneuver.lane_change.x" in missed(passes("lane_change"), home, out.logical)

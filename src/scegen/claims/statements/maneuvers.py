@@ -24,12 +24,7 @@ from scegen.scenario.functional import Participant
 from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
 from scegen.scenario.logical import Crossing, Drive
 from scegen.scenario.model import Interval
-from scegen.scenario.vocabulary import (
-    ON_FOOT,
-    HazardKind,
-    Maneuver,
-    Side,
-)
+from scegen.scenario.vocabulary import ON_FOOT, HazardKind, Maneuver, Side
 
 LANE_M = 2.0
 """Who goes so far to the side has changed lane."""
@@ -44,6 +39,9 @@ def claims(told: Told) -> Iterator[Claim]:
         drive, crossing = told.drive(person.id), told.crossing(person.id)
         if person.pulls_out:
             yield _stands(told, person, pulls_out=True)
+            if person.maneuvers == {Maneuver.U_TURN}:
+                turned, does = partial(_turns_back, person.id), f"{person.id} turns back"
+                yield way_claim(f"turn.{person.id}", does, field, turned, unit="deg")
         elif person.parked or person.maneuvers == {Maneuver.STAY}:
             yield _stands(told, person, pulls_out=False)
         if drive is not None and person.maneuvers:
@@ -103,28 +101,28 @@ def _stops(told: Told, name: str) -> bool:
 
 def _driven(told: Told, drive: Drive, field: str) -> Iterator[Claim]:
     name = drive.participant
-    if drive.maneuver is Maneuver.LANE_CHANGE and not _is_an_act(told, drive):
+    passes = any(h.kind is HazardKind.OVERTAKING and name in h.by for h in told.hazards)
+    aside = [act for act in told.acts_of(name) if act.kind in LEAVING]
+    stays = told.plain_road and passes and not aside[1:]  # it does not come home
+    sides = {act.side for act in aside if act.kind is ActKind.CHANGE_LANE}  # claimed there
+    is_act = drive.changes_to in sides if drive.changes_to else bool(sides)
+    if drive.maneuver is Maneuver.LANE_CHANGE and (stays or not is_act):
         to = f" to the {drive.changes_to}" if drive.changes_to else ""
-        does, test = f"{name} changes lane{to}", partial(_changes_lane, drive)
+        does = f"{name} changes lane{to}{' and stays there' if stays else ''}"
+        test = partial(_changes_lane, drive, stays)
         yield way_claim(f"lane_change.{name}", does, field, test)
     elif drive.maneuver is Maneuver.OVERTAKE and not _ended_from_beside(told, name):
         passed = [*told.functional.overtaken(name)]
         things = [t.id for t in told.functional.objects if t.in_way_of == name]
         whom = either(passed or things) if passed or things else "another who goes the same way"
         others = [p.id for p in told.people if p.id != name]
-        over = partial(_overtakes, name, passed or [*others, *things])
-        yield way_claim(f"overtake.{name}", f"{name} passes {whom}", field, over, fixed=False)
+        past = partial(_overtakes, name, passed or [*others, *things])
+        yield way_claim(f"overtake.{name}", f"{name} passes {whom}", field, past, fixed=False)
     if drive.turn in {Maneuver.LEFT, Maneuver.RIGHT, Maneuver.U_TURN} and drive.reverses is None:
         does = "turns back" if drive.turn is Maneuver.U_TURN else f"turns {drive.turn}"
         held_up = not any(act.kind in LETS_BY for act in told.acts_of(name))
         bends = partial(_turns, drive, held_up)
         yield way_claim(f"turn.{name}", f"{name} {does}", field, bends, unit="deg")
-
-
-def _is_an_act(told: Told, drive: Drive) -> bool:
-    """Whether its change of lane is one of the acts, to the same side: that is claimed there."""
-    own = (a for a in told.acts_of(drive.participant) if a.kind is ActKind.CHANGE_LANE)
-    return any(drive.changes_to in {None, act.side} for act in own)
 
 
 def _ended_from_beside(told: Told, name: str) -> bool:
@@ -136,10 +134,8 @@ def _ended_from_beside(told: Told, name: str) -> bool:
 
 def _turns(drive: Drive, held_up: bool, view: View) -> Judged:
     """The change of heading up to the end; who is held up before it or in it is still to turn."""
-    name = drive.participant
-    heading = view.row(name, HEADING)
-    last = view.last_step
-    turned = np.degrees(at(heading, last) - heading[:, 0])
+    name, last = drive.participant, view.last_step
+    turned = _turned_deg(name, view)
     if drive.turn is Maneuver.U_TURN:
         margin = np.abs(turned) - _BACK_DEG
     else:
@@ -152,8 +148,20 @@ def _turns(drive: Drive, held_up: bool, view: View) -> Judged:
     return Judged(np.where(waits, 0.0, margin), turned, view.time_of(last))
 
 
-def _changes_lane(drive: Drive, view: View) -> Judged:
-    most, step = greatest(to_side(drive.changes_to, lateral_m(view, drive.participant, drive)))
+def _turned_deg(name: str, view: View) -> Floats:
+    heading = view.row(name, HEADING)
+    turned: Floats = np.degrees(at(heading, view.last_step) - heading[:, 0])
+    return turned
+
+
+def _turns_back(name: str, view: View) -> Judged:
+    turned = _turned_deg(name, view)
+    return Judged(np.abs(turned) - _BACK_DEG, turned, view.time_of(view.last_step))
+
+
+def _changes_lane(drive: Drive, stays: bool, view: View) -> Judged:
+    aside = to_side(drive.changes_to, lateral_m(view, drive.participant, drive))
+    most, step = (at(aside, view.last_step), view.last_step) if stays else greatest(aside)
     return Judged(most - LANE_M, most, view.time_of(step))
 
 

@@ -37,6 +37,11 @@ def all_acts(story: Story) -> list[Act]:
         acts += _manoeuvre(story, drive, acts)
     for name in story.in_bays:
         acts = _out_of_its_bay(story, name, acts)
+    # Who passes another and stays out passes on the side to which it changes lanes.
+    sides = {d.participant: d.changes_to for d in story.logical.drives}
+    unsaid = {a.id for a in acts if a.kind is ActKind.OVERTAKE and a.side is None}
+    acts = [a.model_copy(update={"side": sides.get(a.participant)}) if a.id in unsaid else a
+            for a in acts]  # fmt: skip
     return list(_from_rest(acts))
 
 
@@ -104,11 +109,8 @@ def _passing_first(story: Story, hazard: Hazard, acts: list[Act]) -> list[Act]:
 
 def _place_of(implied: Act, acts: list[Act]) -> int:
     """At the end; a move aside before its doer stops, as nobody moves aside who stands."""
-    stops = (
-        n
-        for n, act in enumerate(acts)
-        if (act.participant, act.kind) == (implied.participant, ActKind.STOP)
-    )
+    its_stop = implied.participant, ActKind.STOP
+    stops = (n for n, act in enumerate(acts) if (act.participant, act.kind) == its_stop)
     return next(stops, len(acts)) if implied.kind in LEAVING else len(acts)
 
 
@@ -123,10 +125,9 @@ def _implied(story: Story, hazard: Hazard, acts: list[Act]) -> Iterator[Act]:
     on_foot = hazard.to and all(functional.participant(to).kind in ON_FOOT for to in hazard.to)
     if hazard.kind in _OF_THE_DRIVER or (hazard.kind in FROM_BESIDE and on_foot):
         return  # who does not yield to people drives on
-    # Who swerves past another does so on its way round that one.
-    passing = {d.participant for d in story.logical.drives if d.maneuver is Maneuver.OVERTAKE}
-    by_passing = passing if hazard.kind is HazardKind.SWERVING else set()
-    for by in (name for name in hazard.by if name in runners.keys() - by_passing):
+    for by in (name for name in hazard.by if name in runners):
+        if hazard.kind is HazardKind.SWERVING and story.does(by, Maneuver.OVERTAKE):
+            continue  # on its way round another
         # Where there is no junction, joining and turning are moves aside.
         joins = hazard.kind in FROM_BESIDE
         for kind in (ActKind.CHANGE_LANE,) if joins else HAZARDS[hazard.kind].acts:

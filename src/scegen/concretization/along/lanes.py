@@ -21,7 +21,7 @@ from scegen.scenario.in_line import words_between
 from scegen.scenario.logical import Assignment, InLine
 from scegen.scenario.roadway import Carriageway
 from scegen.scenario.spacings import Measure
-from scegen.scenario.vocabulary import Approach, HazardKind, Side
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
 from scegen.scenario.wording import counted
 
 MOST_LANES = 3
@@ -150,13 +150,15 @@ def _from_acts(story: Story, count: int) -> Iterator[Wish]:
         name = act.participant
         step = outward(functional, act.side) if act.side is not None else None
         if act.kind is ActKind.OVERTAKE and name in runners and step is not None:
-            inwards = step < 0 and count == 1  # by the oncoming lane
+            inwards = step < 0 and count == 1  # by the oncoming lane, unless it stays there
+            comes_home = inwards and not story.does(name, Maneuver.LANE_CHANGE)
             passed = (act.into,) if act.into else functional.overtaken(name) or (*runners,)
             whom = tuple(n for n in passed if n in runners and n != name)
             makes_room = any(a.participant in whom and a.kind is ActKind.CHANGE_LANE for a in acts)
-            if not inwards and not makes_room:
+            if not comes_home and not makes_room:
                 words = f"{name} has a lane on its {act.side} to pass in, or drives there"
-                yield Wish((name, *whom), SAID, _room(step, count), words)
+                weight = LIKELY if inwards else SAID
+                yield Wish((name, *whom), weight, _room(step, count), words)
             continue
         if act.kind is not ActKind.CHANGE_LANE or name not in runners or name in passing:
             continue

@@ -24,7 +24,7 @@ from scegen.motion.batch.arrays import Bools
 from scegen.motion.model import Array
 from scegen.scenario.acts import GAINING, Act, ActKind
 from scegen.scenario.spacings import Measure
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.vocabulary import HazardKind, Maneuver
 
 _CLEAR_M, _CLEAR_HURRYING_M = 6.0, 1.0
 _FASTER_MPS, _HARDLY_MPS = 6.0, 1.5
@@ -67,18 +67,15 @@ def passed_by(story: Story, act: Act) -> list[Runner]:
     """
     own = story.runners[act.participant]
     to = {*story.endangered_by(own.id, HazardKind.OVERTAKING)}
-    alike = {
-        name: runner
-        for name, runner in story.runners.items()
-        if runner.forward == own.forward and runner is not own and not runner.opens
-    }
+    others = (r for r in story.runners.values() if r is not own and not r.opens)
+    alike = {runner.id: runner for runner in others if runner.forward == own.forward}
     meant = to if act.into is None or act.into in to else {act.into}
     named = [alike[name] for name in meant if name in alike]
     if named:
         return sorted(named, key=lambda r: (r.at_m or 0.0) * r.sign)
     order = story.ranks()
-    line = [name for name, r in alike.items() if r.stands or order[name] < order[own.id]]
-    ahead = [alike[name] for name in sorted(line, key=lambda name: -order[name])]
+    line = (r for r in alike.values() if r.stands or order[r.id] < order[own.id])
+    ahead = sorted(line, key=lambda r: -order[r.id])
     standing = [r for r in ahead if r.stands and ahead[0].stands and r.lane == own.lane]
     return sorted(standing, key=lambda r: (r.at_m or 0.0) * r.sign) or ahead[:1]
 
@@ -86,7 +83,8 @@ def passed_by(story: Story, act: Act) -> list[Runner]:
 def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     """Out as late as it can, past them all, and back so far ahead as is said, or usual.
 
-    Who drives in another lane than all of them, or is made room for, stays in it until then.
+    Who drives in another lane than all of them, or is made room for, stays in it until then; who
+    is told to change lanes, and not to come back, is out for good.
     """
     hazard = story.hazard_of(act)
     slow, foremost = line[0], line[-1]
@@ -98,8 +96,7 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     told_now = [s for s in story.functional.spacings if s.at == act.id]
     at_once = act.when is not None or any(own >= {s.participant, s.reference} for s in told_now)
     hurries = bool(told_now) and not at_once  # who comes towards it is so near
-    quick = hurries or act.kind is ActKind.SWERVE
-    usual = ABRUPT_LANE_CHANGE_S if quick else LANE_CHANGE_S
+    usual = ABRUPT_LANE_CHANGE_S if hurries or act.kind is ActKind.SWERVE else LANE_CHANGE_S
     begins, lasts = _in_time(
         fast, slow, (out_lane, offset), (begins, usual), fixed=act.when is not None
     )
@@ -111,15 +108,11 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
         gains = SpeedChange(top, COMFORTABLE_ACCELERATION_MPS2, begins + lasts, act=act.id)
         fast.steps.append(gains)
     back = _back(story, act, slow)
-    making_room = {
-        each.participant
-        for each in story.acts
-        if each.kind is ActKind.CHANGE_LANE and (each.side is None or each.side is not act.side)
-    }
+    changing = [each for each in story.acts if each.kind is ActKind.CHANGE_LANE]
+    making_room = {e.participant for e in changing if e.side is None or e.side is not act.side}
     stays = all(each.lane != fast.lane or each.id in making_room for each in line)
     aside = story.between(fast.id, slow.id, Measure.LATERAL_GAP_M)
-    gaps = [s for s in story.functional.spacings if s.measure is Measure.GAP_M]
-    said_m = next((s.value.middle for s in gaps if back is not None and s.at == back.id), None)
+    said_m = _said_m(story, back)
     usual_m = _CLEAR_HURRYING_M if hurries else _CLEAR_M
     clear_m = said_m or (0.0 if stays and back is None else usual_m)
     is_clear = partial(_is_past, fast, foremost, clear_m)
@@ -139,17 +132,22 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     story.begins_s[act.id] = (
         first_s(partial(is_level, fast, slow, 0.0), begins) if stays else begins
     )
-    story.ends_s[act.id] = clear if stays or back is not None else clear + lasts
-    if not stays:
-        home = back.id if back is not None else act.id
-        fast.moves = [
-            Move(begins, lasts, out_lane, offset, act.id, hazard),
-            Move(clear, lasts, fast.lane, 0.0, home, hazard),
-        ]
-    elif back is not None:
-        fast.moves.append(Move(clear, lasts, slow.lane, 0.0, back.id, hazard))
+    out_only = aside is None and out_lane > 0 and story.does(fast.id, Maneuver.LANE_CHANGE)
+    comes_home = back is not None or not (stays or out_only)
+    story.ends_s[act.id] = clear + lasts if comes_home and back is None else clear
+    moves = fast.moves if stays else [Move(begins, lasts, out_lane, offset, act.id, hazard)]
+    if comes_home:
+        into = slow if stays else fast
+        moves.append(Move(clear, lasts, into.lane, 0.0, (back or act).id, hazard))
+    fast.moves = moves
     if back is not None:
         story.begins_s[back.id], story.ends_s[back.id] = clear, clear + lasts
+
+
+def _said_m(story: Story, back: Act | None) -> float | None:
+    """How far ahead of somebody one is said to be when it comes back."""
+    gaps = (s for s in story.functional.spacings if s.measure is Measure.GAP_M)
+    return next((s.value.middle for s in gaps if back is not None and s.at == back.id), None)
 
 
 def _back(story: Story, act: Act, passed: Runner) -> Act | None:

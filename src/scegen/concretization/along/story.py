@@ -128,6 +128,10 @@ class Story(Tale):
         moments = [*slows, *(move.begins_s for move in comes or other.moves)]
         return min(moments, default=other.appears_s)
 
+    def does(self, name: str, maneuver: Maneuver) -> bool:
+        """Whether somebody drives along by that maneuver."""
+        return any((d.participant, d.maneuver) == (name, maneuver) for d in self.logical.drives)
+
     def ranks(self) -> dict[str, int]:
         """The order of those along the road in their direction, 0 = foremost; things before all."""
         known = {a.participant: a for a in self.logical.assignments}
@@ -174,11 +178,8 @@ class Story(Tale):
 
     def comes_back(self, act: Act) -> bool:
         """Whether a change of lane is how one who overtakes comes back."""
-        earlier = self.acts[: self.acts.index(act)]
-        overtakes = any(
-            a.participant == act.participant and a.kind is ActKind.OVERTAKE for a in earlier
-        )
-        return act.kind is ActKind.CHANGE_LANE and overtakes
+        earlier = [(a.participant, a.kind) for a in self.acts[: self.acts.index(act)]]
+        return act.kind is ActKind.CHANGE_LANE and (act.participant, ActKind.OVERTAKE) in earlier
 
     def goes_round(self, act: Act) -> bool:
         """Whether an act leads out of the lane, past somebody, and back.
@@ -194,13 +195,9 @@ class Story(Tale):
                 r.stands and not r.opens and (r.lane, r.forward) == (own.lane, own.forward)
                 for r in self.runners.values()
             )
-        if self.comes_back(act):
+        if act.kind is not ActKind.CHANGE_LANE or self.comes_back(act):
             return False
-        drives = (d for d in self.logical.drives if d.participant == act.participant)
-        passing = any(d.maneuver is Maneuver.OVERTAKE for d in drives)
+        passing = self.does(act.participant, Maneuver.OVERTAKE)
         passing |= HazardKind.OVERTAKING in self.kinds_by(act.participant)
-        if act.kind is ActKind.CHANGE_LANE and passing:
-            return True
-        said = (act.side, act.into, act.lateral_m)
         alone = self.lane_count == 1 and self.hazard_of(act) is None
-        return act.kind is ActKind.CHANGE_LANE and alone and not any(said)
+        return passing or (alone and not any((act.side, act.into, act.lateral_m)))

@@ -81,8 +81,10 @@ def _go_back(doing: Doing, first: Doing, scene: Clause, found: list[Doing]) -> N
 def _out_to_pass(found: list[Doing], text: Telling) -> None:
     """``changes to the left lane and overtakes it``: going over is how the passing begins.
 
-    Also "overtakes it by changing to the left lane", "swings out and passes it".
+    Also "overtakes it by changing to the left lane", "swings out and passes it". Who has changed
+    lanes to do so stays there, unless it is said to come back.
     """
+    strays, merged = text.draft.causing(HazardKind.ONCOMING_LANE), []
     for doing in [d for d in found if d.kind is ActKind.OVERTAKE]:
         own = [d for d in found if d.entity is doing.entity]
         n = own.index(doing)
@@ -93,7 +95,13 @@ def _out_to_pass(found: list[Doing], text: Telling) -> None:
                 found.remove(out)
                 doing.side, doing.side_basis = out.side, out.side_basis
                 doing.told += [out.i, *out.told]
-                doing.entity.maneuvers.discard(Maneuver.LANE_CHANGE)
+                merged.append(doing.entity)
+    back = [*strays, *(d.entity for d in found if d.kind is ActKind.CHANGE_LANE)]
+    for entity in text.draft.entities:
+        if entity not in back and Maneuver.LANE_CHANGE in entity.maneuvers:
+            entity.maneuvers.discard(Maneuver.OVERTAKE)
+        elif entity in merged:
+            entity.maneuvers.discard(Maneuver.LANE_CHANGE)
 
 
 def _back_from_there(found: list[Doing]) -> None:
@@ -191,19 +199,19 @@ def _continued(doing: Doing, found: list[Doing], text: Telling) -> bool:
     Who ``crosses, stops, then walks on`` goes on crossing.
     """
     before = next((d for d in reversed(found) if d.entity is doing.entity), None)
-    if before is not None and (before.kind, doing.kind) == (ActKind.SET_OFF, ActKind.ACCELERATE):
-        joined = text.bounds(before.i) == text.bounds(doing.i)
+    if before is None:
+        return False
+    pair, joined = (before.kind, doing.kind), text.bounds(before.i) == text.bounds(doing.i)
+    if pair == (ActKind.SET_OFF, ActKind.ACCELERATE):
         joined = joined and text.find("then", before.i, doing.i) is None
         before.told += [doing.i] if joined else []
         return joined
-    if before is not None and (before.kind, doing.kind) == (ActKind.STOP, ActKind.CROSS):
+    if pair == (ActKind.STOP, ActKind.CROSS):
         return any(d.kind is ActKind.CROSS and d.entity is doing.entity for d in found)
-    if doing.kind is not ActKind.STOP or before is None or before.kind is not ActKind.BRAKE:
+    if pair != (ActKind.BRAKE, ActKind.STOP) or not joined:
         return False
     if text.find("holding_at", before.i, doing.i) is not None:
         return False  # "brakes, keeps 20 km/h for 4 s and stops"
-    if text.bounds(before.i) != text.bounds(doing.i):
-        return False
     before.amounts.setdefault("target_speed_mps", Amount(STILL, doing.basis))
     before.told.append(doing.i)
     return True
@@ -238,10 +246,7 @@ def _told_again(doing: Doing, found: list[Doing], text: Telling) -> bool:
     if not (heading or known) and text.find("then", before.basis.j or before.i, doing.i):
         before.told.pop()
         return False
-    before.side = before.side or doing.side
-    before.side_basis = before.side_basis or doing.side_basis
-    before.into = before.into or doing.into
-    before.into_basis = before.into_basis or doing.into_basis
-    before.always = before.always or doing.always
+    for name in ("side", "side_basis", "into", "into_basis", "always"):
+        setattr(before, name, getattr(before, name) or getattr(doing, name))
     before.amounts = {**doing.amounts, **before.amounts}
     return True

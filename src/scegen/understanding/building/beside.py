@@ -45,11 +45,13 @@ def strips_beside(
     off it.
     """
     found: set[Strip] = set()
+    back = any(Maneuver.U_TURN in e.maneuvers for e in draft.entities)
+    plain = kind is JunctionKind.STRAIGHT and not back
     for strip, basis in along.strips.items():
         of_road = basis == along.carriageway_basis
         if strip in along.without:
             proofs.add("junction.strips", along.without[strip])
-        elif kind is not JunctionKind.STRAIGHT:
+        elif not plain:
             draft.note_at(None if of_road else basis, AT_JUNCTIONS)
         elif auxiliary is not None and strip not in BESIDE_AN_AUXILIARY_LANE:
             draft.note_at(None if of_road else basis, _BESIDE_A_RAMP)
@@ -59,36 +61,29 @@ def strips_beside(
                 draft.note_at(basis, _NOBODY_DRIVES)
             proofs.add("junction.strips", basis)
             found.add(strip)
-    if auxiliary is None:
-        found |= _stops(draft, proofs, kind)
-    _where_somebody_is(draft, proofs, kind, found, ramp=auxiliary is not None)
+    _where_somebody_is(draft, proofs, found, plain=plain, ramp=auxiliary is not None)
     return frozenset(found)
 
 
-def _stops(draft: Draft, proofs: Proofs, kind: JunctionKind) -> set[Strip]:
-    """Who waits at a bus stop on foot does so behind it, on the pavement."""
-    found: set[Strip] = set()
-    for entity in draft.entities:
-        strip, basis = entity.strip or (None, None)
-        if strip is Strip.BUS_STOP and basis is not None and not entity.is_vehicle:
-            entity.strip = Strip.PAVEMENT, basis
-            if kind is JunctionKind.STRAIGHT:
-                proofs.add("junction.strips", basis)
-                found.add(strip)
-    return found
-
-
 def _where_somebody_is(
-    draft: Draft, proofs: Proofs, kind: JunctionKind, found: set[Strip], *, ramp: bool
+    draft: Draft, proofs: Proofs, found: set[Strip], *, plain: bool, ramp: bool
 ) -> None:
-    """Adds the strips on which somebody is at first; who crosses starts behind them all."""
+    """Adds the strips on which somebody is at first; who crosses starts behind them all.
+
+    Who waits at a bus stop on foot does so behind it, on the pavement.
+    """
     kerb, sides = Approach(draft.kerb), {Approach.LEFT, Approach.RIGHT}
     for entity in draft.entities:
         strip, basis = entity.strip or (None, None)
-        if strip is None or basis is None or Maneuver.CROSS in entity.maneuvers:
+        if strip is Strip.BUS_STOP and basis is not None and not entity.is_vehicle and not ramp:
+            found |= {strip} if plain else set()
+            strip, entity.strip = Strip.PAVEMENT, (Strip.PAVEMENT, basis)
+        others = [e for e in draft.entities if e is not entity and not e.parked]
+        crossed = {e.moving_vehicle and Maneuver.CROSS not in e.maneuvers for e in others} != {True}
+        backs_up = crossed and entity in draft.causing(HazardKind.REVERSING)  # before nobody
+        if strip is None or basis is None or backs_up or Maneuver.CROSS in entity.maneuvers:
             entity.strip = None
             continue
-        plain = kind is JunctionKind.STRAIGHT
         built = plain or (entity.parked and strip not in PLAIN_ROAD_STRIPS)
         beside = Strip.HARD_SHOULDER in found and strip in NOT_BESIDE_A_SHOULDER
         if strip is Strip.HARD_SHOULDER and entity.approaches & sides == sides - {kerb}:
@@ -212,6 +207,7 @@ def from_the_strip(draft: Draft, ego: Entity) -> None:
 def abreast(draft: Draft, ego: Entity) -> None:
     """On a straight road, a vehicle on the left is not one that comes out of a road there."""
     along = draft.implied.keys().isdisjoint({"access", "from_kerb"})
+    along &= ego.strip is None or ego not in draft.causing(HazardKind.REVERSING)  # out of a bay
     for entity in draft.entities if along else []:
         seen = entity.approaches
         alongside = entity.moving_vehicle and Maneuver.CROSS not in entity.maneuvers

@@ -137,7 +137,9 @@ def _told_of(prep: Prep, state: State) -> Event:
     So it does in "steps out from behind a van parked there, 10 m ahead of the ego".
     """
     outer = outside(state)
-    closed = "," in state.between and (prep.names("side") or prep.outer == "from")
+    since = (c for c in state.chunks[: state.k] if c.i >= outer.j)
+    aside = sum(c.value == "," for c in since if isinstance(c, Term)) % 2 == 0  # ", at speed, …"
+    closed = "," in state.between and (prep.names("side") or prep.outer == "from") and not aside
     around = (e for e in reversed(state.events) if not e.embedded and e.name in _MET)
     return next(around, outer) if closed and outer.embedded else outer
 

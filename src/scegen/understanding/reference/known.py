@@ -57,12 +57,13 @@ def known(
 
 
 def _looks_on(roster: Roster, reading: Reading, mention: Mention) -> list[Entity]:
-    """``as seen by the driver``, ``from the point of view of a driver who looks forward``."""
+    """``as seen by the driver``, ``in the view of one facing forward``, ``the driver's left``."""
     before = [t.low for t in roster.tokens[max(0, mention.i - 2) : mention.i]]
     seen_by = before[-1:] == ["by"] and reading.det == "def"
     view = before[-1:] == ["of"] and before[0] in word_list("views_of")
-    after = [t.low for t in roster.tokens[mention.j : mention.j + _LOOKS_WITHIN]]
-    forward = bool({"forward", "forwards"} & {*after})  # "a driver who faces forward"
+    told = [t.low for t in roster.tokens[mention.i : mention.j + _LOOKS_WITHIN]]
+    sides = {"left", "right"} & {*(told if "'s" in told else before)} and reading.det == "def"
+    forward = sides or bool({"forward", "forwards"} & {*told})  # "a driver who faces forward"
     drive = [e for e in roster.entities if e.is_vehicle]
     if forward and len(drive) > 1:
         drive = [e for e in drive if e.ego]

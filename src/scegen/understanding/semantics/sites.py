@@ -8,13 +8,7 @@ from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.draft import Danger
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.semantics.context import Context
-from scegen.understanding.semantics.lanes import (
-    EITHER,
-    FROM_SIDE,
-    SIDES,
-    counted_from,
-    lane_number,
-)
+from scegen.understanding.semantics.lanes import EITHER, FROM_SIDE, SIDES, counted_from, lane_number
 from scegen.understanding.semantics.seen import SEEN, SEVERAL, Put, Site
 
 _OVER_THE_ROAD = frozenset({HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_CYCLIST})
@@ -23,8 +17,8 @@ _OVER_THE_ROAD = frozenset({HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_
 def _on_strip(entity: Entity, site: Site) -> None:
     """One who stands beside the lanes stands in nobody's way, and nobody overtakes it."""
     stands = entity.still or entity.was_parked is not None
-    if entity.ego and not stands:  # "a taxi overtakes the ego on the hard shoulder"
-        return
+    if entity.ego and not (stands or site.clause.event.name == "reverse"):
+        return  # "a taxi overtakes the ego on the hard shoulder"
     if entity.strip is not None or site.noun.head is None:
         return
     strip = Strip(site.noun.head.data["stands_on"])
