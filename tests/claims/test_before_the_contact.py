@@ -15,13 +15,18 @@ TEXT = (
 )
 
 
+def touching(raised):
+    """The claim that two touch."""
+    fits = (c for c in raised.proof.claims if c.field == "outcome.kind" and "touch" in c.statement)
+    (hit,) = fits
+    return hit
+
+
 def test_who_stops_and_is_hit_stands_when_it_is_hit():
     raised = made(read(TEXT))
     assert not raised.proof.missed
     moved = {m.entity: m for m in read_recording(simulated_csv(raised.concrete))}
-    (hit,) = (
-        c for c in raised.proof.claims if c.field == "outcome.kind" and "touch" in c.statement
-    )
+    hit = touching(raised)
     walker = moved["pedestrian_1"]
     step = int(np.searchsorted(walker.time_s, hit.time_s))
     assert walker.speed_mps[step] < 0.2
@@ -45,3 +50,22 @@ def test_what_a_contact_does_to_somebody_is_no_braking():
     logical = enumerate_scenarios(told).scenarios[0]
     assert "act.brakes" in missed(told, made(collision(braking=False)).concrete, logical)
     assert not made(told).proof.missed
+
+
+def test_who_speeds_up_into_another_is_as_fast_as_is_said_before():
+    told = said(
+        "straight",
+        person("ego", maneuvers=["straight"]),
+        person("car", approaches=["ahead"], maneuvers=["stay"]),
+        acts=[act("speeds_up", "ego", "accelerate", target_speed_mps=15)],
+        outcome={"kind": "collision", "between": ["ego", "car"]},
+    )
+    raised = made(told)
+    assert not raised.proof.missed
+    moved = {m.entity: m for m in read_recording(simulated_csv(raised.concrete))}
+    (hit,) = (
+        c for c in raised.proof.claims if "touch" in c.statement and c.field == "outcome.kind"
+    )
+    step = int(np.searchsorted(moved["ego"].time_s, hit.time_s))
+    assert abs(moved["ego"].speed_mps[step - 5] - 15) < 0.2
+    assert moved["ego"].speed_mps[step + 5 :].max() < 0.2

@@ -20,13 +20,14 @@ from scegen.concretization.along.spacing import (
 from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.amounts import CLOSEST_M
 from scegen.concretization.limits import (
+    HOLDS_S,
     LANE_CHANGE_S,
     LATE_BRAKING_MPS2,
     REACTION_S,
     TAILGATING_HEADWAY_S,
 )
 from scegen.concretization.profile import NEVER_S
-from scegen.scenario.acts import SLOWING, Act, WhenMeasure
+from scegen.scenario.acts import SLOWING, Act, ActKind, WhenMeasure
 from scegen.scenario.in_line import is_said_ahead, words_between
 from scegen.scenario.outcome import BodySide
 from scegen.scenario.spacings import CONTACT, LENGTHWISE, START, Measure, Spacing
@@ -262,8 +263,12 @@ def _closing_in(
     moments = (story.begins_s[a.id] for a in own if story.goes_round(a) and a.id in story.begins_s)
     for passes_s in moments:
         return Measure.TTC_S, LANE_CHANGE_S * wider, passes_s
-    closing = back.speed_mps - front.speed_mps
-    return Measure.GAP_M, max(_CLOSES_IN_S * closing, _LEAST_FREE_M) * wider, 0.0
+    # Who is said to speed up has done so before it is there.
+    gains = story.acts_of(back.id, {ActKind.ACCELERATE})
+    ends_s = max([story.ends_s.get(a.id, 0.0) + HOLDS_S for a in gains], default=0.0)
+    closing_m = _CLOSES_IN_S * (back.speed_mps - front.speed_mps)
+    faster_m = back.profile.way_m(ends_s) - front.profile.way_m(ends_s)
+    return Measure.GAP_M, max(closing_m, faster_m, _LEAST_FREE_M) * wider, 0.0
 
 
 def _cutting_in(

@@ -44,10 +44,11 @@ def read_amounts(
     read_outcome(text)
     figures = [Figure(q, numbers, text) for q in numbers.quantities]
     _place([f for f in figures if f.role == "speed"])
+    _place([f for f in figures if f.role == "relative_speed"])
     as_fast(text)
     read_items(text)
     figures.sort(key=lambda figure: not says_how(figure.role))
-    _place([f for f in figures if f.role != "speed"])
+    _place([f for f in figures if f.role not in {"speed", "relative_speed"}])
     aside.within_the_lane(text)
     struck.settle(text)
     order(text)
