@@ -62,7 +62,8 @@ def _looks_on(roster: Roster, reading: Reading, mention: Mention) -> list[Entity
     seen_by = before[-1:] == ["by"] and reading.det == "def"
     view = before[-1:] == ["of"] and before[0] in word_list("views_of")
     told = [t.low for t in roster.tokens[mention.i : mention.j + _LOOKS_WITHIN]]
-    sides = {"left", "right"} & {*(told if "'s" in told else before)} and reading.det == "def"
+    beside = told if "'s" in told else before * (before[-1:] == ["of"])
+    sides = {"left", "right"} & {*beside} and reading.det == "def"
     forward = sides or bool({"forward", "forwards"} & {*told})  # "a driver who faces forward"
     drive = [e for e in roster.entities if e.is_vehicle]
     if forward and len(drive) > 1:
