@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
+from scegen.scenario.model import Interval
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, HazardKind
 from scegen.understanding.amounts.telling import CHANGING, Telling
 from scegen.understanding.entity import Basis, Entity
-from scegen.understanding.happenings import Amount, Doing
+from scegen.understanding.happenings import STILL, Amount, Doing
+from scegen.understanding.lexicon import word_list
 
 _PAIR = 2
 
@@ -20,12 +22,14 @@ def as_fast(text: Telling) -> None:
     _in_one_lane(text)
 
 
-def _give(whom: list[Entity], model: Entity, words: Basis, reason: str) -> None:
-    """Those of whom no speed is said, and who move, are as fast as another of their sort."""
+def _give(whom: list[Entity], model: Entity, words: Basis, reason: str, times: float = 1.0) -> None:
+    """Those of whom no speed is said, and who move, are so fast as another of their sort."""
+    own = model.speed or STILL
     for entity in whom:
         alike = entity.is_vehicle == model.is_vehicle
         if entity.speed is None and alike and not entity.still:
-            entity.speed, entity.speed_basis = model.speed, words.because(reason)
+            entity.speed = Interval(low=own.low * times, high=own.high * times)
+            entity.speed_basis = words.because(reason)
 
 
 def _share(pair: list[Entity], words: Basis, reason: str) -> None:
@@ -63,8 +67,12 @@ def _alike(text: Telling) -> None:
         who = list(dict.fromkeys(e for e in named if not e.parked))
         before = reversed(text.spoken_of(0, span[0]))
         known = [e for e in (*who, *before) if e.speed is not None]
+        word = text.tokens[span[0] - 1].low  # "half as fast as"
+        times = 0.5 if word in word_list("half_as") else 1.0 + (word in word_list("twice_as"))
+        acts = [e for s in text.within(begin, span[0])[-1:] for e in s.actors]
         for model in known[:1]:
-            _give(who, model, Basis(*span), "as fast as the other")
+            words = Basis(span[0] - (times != 1.0), span[1])
+            _give(who, model, words, "as fast as the other", 1 / times if model in acts else times)
 
 
 def _followed(text: Telling) -> None:
