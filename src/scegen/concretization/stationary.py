@@ -25,7 +25,7 @@ from scegen.concretization.meetings import Meeting, drives_meet
 from scegen.concretization.others import StandDraft
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.tale import SIDEWAYS
-from scegen.concretization.things import lying_in_the_way, made_of, shape_of
+from scegen.concretization.things import THINGS_APART_M, lying_in_the_way, made_of, shape_of
 from scegen.concretization.turning_ways import turns_back_from_kerb
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import STANDING, strip_number
@@ -50,7 +50,7 @@ BLOCKS_STRAIGHT_AT_M = 15.0
 _CLEAR_M, _WOULD_HIT_M = 0.45, 0.1
 """From who keeps clear of it; into who would not."""
 _LEAST_WAY_M, _ROOM_M = 30.0, 6.0
-_SAMPLE_M, _APART_M = 0.5, 0.5
+_SAMPLE_M = 0.5
 _ROLLS_M = 0.5
 _CHANGE_M, _SWINGS_OUT_M = 10.0, 8.0
 _LONG_CHANGE = 1.4
@@ -132,7 +132,7 @@ def place_obstacles(scene: Setup) -> None:
         shape = shape_of(thing)
         stays = _may_stay(scene, draft)
         half = shape.length_m / 2
-        back = lies_m[draft.id] + _APART_M + half if draft.id in lies_m else 0.0
+        back = lies_m[draft.id] + THINGS_APART_M + half if draft.id in lies_m else 0.0
         lies_m[draft.id] = back + half
         station, pose = _spot(scene, draft, shape.body, back, stays=stays)
         touching = [d for d in scene.drives.values() if _met_m(d, pose, shape.body) is not None]

@@ -100,6 +100,8 @@ SHAPES: dict[ThingKind, Shape] = {
 }
 SCREEN = SHAPES[ThingKind.SCREEN]
 """What hides somebody where the text does not say what does."""
+THINGS_APART_M = 0.5
+"""Between things in one's way that lie one behind the other."""
 
 
 def shape_of(thing: Thing) -> Shape:

@@ -78,11 +78,8 @@ def implied_limit_mps(functional: FunctionalScenario) -> float:
         * (held if p.id in speeding else 1.0)
         for p in bound
     ]
-    gained = (
-        a
-        for a in functional.acts
-        if a.kind is ActKind.ACCELERATE and a.participant in {p.id for p in bound}
-    )
+    names = {p.id for p in bound}
+    gained = [a for a in functional.acts if a.kind is ActKind.ACCELERATE and a.participant in names]
     said += [a.target_speed_mps.high for a in gained if a.target_speed_mps is not None]
     fastest = max(said, default=0.0)
     if not fastest and junction.carriageway is Carriageway.DIVIDED:

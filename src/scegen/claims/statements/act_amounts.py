@@ -48,9 +48,9 @@ def _speed_after(told: Told, act: Act, view: View) -> _Found:
     """The speed in which the run ends; a contact leaves open that of one who slows down."""
     run, hit = act_run(told, act, view), hit_s(told, view, act.participant)
     speed, time_s = at(view.speed_mps(act.participant), run.end), view.time_of(run.end)
-    cut = time_s >= np.minimum(hit, view.time_of(view.last_step))
     if act.kind in GAINING:  # whatever it does after a contact
         return _Found(speed, time_s, run.happens & (time_s <= hit))
+    cut = time_s >= np.minimum(hit, view.time_of(view.last_step))
     return _Found(speed, time_s, run.happens, cut & np.isfinite(hit))
 
 

@@ -27,6 +27,7 @@ from scegen.concretization.limits import (
     TAILGATING_HEADWAY_S,
 )
 from scegen.concretization.profile import NEVER_S
+from scegen.concretization.things import THINGS_APART_M
 from scegen.scenario.acts import SLOWING, Act, ActKind, WhenMeasure
 from scegen.scenario.in_line import is_said_ahead, words_between
 from scegen.scenario.outcome import BodySide
@@ -47,7 +48,7 @@ _SLOWER_MPS = 0.5
 _STOPS_BEFORE_M = 1.0
 _AT_REST_S = 60.0
 _A_LITTLE_S = 0.1
-_PASSED_M, _APART_M = 2.0, 0.5
+_PASSED_M = 2.0
 _HIT_AFTER_S = 1.2
 """Who is to run into a door that opens does so when it is open."""
 
@@ -160,7 +161,7 @@ def _place_as_usual(story: Story, name: str, order: dict[str, int], wider: float
     lying = [story.runners[n] for n in story.things if story.runners[n].at_m is not None]
     here = [r for r in lying if (r.lane, r.forward) == (runner.lane, runner.forward)]
     if name in story.things and here:  # one thing behind the other
-        beyond_m = here[-1].body.front_m + _APART_M + runner.body.rear_m
+        beyond_m = here[-1].body.front_m + THINGS_APART_M + runner.body.rear_m
         runner.at_m = here[-1].x_m(0.0) + runner.sign * beyond_m
         return
     other = story.runners[_reference(story, name, order)]

@@ -45,8 +45,8 @@ def let_do(state: State) -> Mention | None:
 
 def on_foot(event: Event, state: State) -> Mention | None:
     """``a child …, running``: who is on foot."""
-    on_foot = [m for m in state.mentions if m.noun == "pedestrian"]
-    return on_foot[-1] if event.name == "walk" and on_foot else None
+    walkers = (m for m in reversed(state.mentions) if m.noun == "pedestrian")
+    return next(walkers, None) if event.name == "walk" else None
 
 
 def _share_subject(event: Event, other: Event, state: State) -> None:

@@ -175,8 +175,9 @@ def _subjectless(event: Event, state: State) -> None:
 
 def _after_comma(event: Event, state: State) -> None:
     who = state.waiting
-    beside = let_do(state) or on_foot(event, state) or told_beside(state, "with", "by")
-    beside = None if event.finite else beside
+    beside = None
+    if not event.finite:
+        beside = let_do(state) or on_foot(event, state) or told_beside(state, "with", "by")
     if (named := _past_an_aside(event, state)) is not None:
         event.subject = [named]
     elif event.form == "s" and state.dependent and "aux:be" in state.between and state.events:

@@ -97,8 +97,8 @@ def window(tokens: list[Token], i: int, j: int, ends: dict[int, int]) -> Window:
     aside = tokens[j : j + 1] and tokens[j].low == "," and _opens_aside(tokens, i)
     alone = j == len(tokens) or tokens[j].kind == "punct"
     listed = alone and low_at(tokens, i - 1) == ","  # "a van ahead, 60 m", "ahead of the ego, 60 m"
-    places = [k for k in range(max(0, i - _NEAR), i - 1) if _ends_apart(tokens, k, i)]
-    begin = places[-1] + 1 if listed and places else i
+    near = range(i - 2, max(-1, i - _NEAR - 1), -1) if listed else ()
+    begin = next((k + 1 for k in near if _ends_apart(tokens, k, i)), i)
     resumes = _shared(tokens, j, ends)
     return Window(_before(tokens, begin, ends), _after(tokens, resumes + bool(aside)), resumes)
 

@@ -93,9 +93,10 @@ def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] 
 
 def noted(event: Event, k: int, chunks: list[Chunk]) -> bool:
     """``Ego 80 km/h, cut-in from the left``: after a comma, in notes without a verb before it."""
+    if event.name != "cut_in" or value_at(chunks, k - 1) != ",":
+        return False
     opens = (j for j in range(k, 0, -1) if ends(chunks[j - 1]))
-    verbal = any(isinstance(c, Event) or c.cat == "aux" for c in chunks[next(opens, 0) : k])
-    return event.name == "cut_in" and value_at(chunks, k - 1) == "," and not verbal
+    return not any(isinstance(c, Event) or c.cat == "aux" for c in chunks[next(opens, 0) : k])
 
 
 def _verb(event: Event) -> Event:

@@ -36,11 +36,10 @@ def mark_generic(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
             continue
         if id(chunk) in each and any(p.value == "ahead" for p in chunk.pps):
             chunk.negated = True  # "each 20 m from the car in front": the next of them
-        bare = chunk.mod("det", "num", "quant", "possessive") is None and not chunk.is_ego
-        bare = bare and chunk.pronoun is None
-        first = chunk.joined if bare else None  # "no vehicles or people", "without any vans or …"
+        first = chunk.joined  # "no vehicles or people", "without any vans or buses"
         if first is not None and (first.negated or first.stands_after("without")):
-            chunk.negated = True
+            own = chunk.mod("det", "num", "quant", "possessive") or chunk.pronoun or chunk.is_ego
+            chunk.negated = chunk.negated or not own
         if chunk.prep is None:
             unmet = _only_the_scene(chunk, k, chunks) or _called_to(chunk, k, chunks, tokens)
             chunk.negated = chunk.negated or unmet

@@ -274,10 +274,9 @@ def _left_or_gone(match: Match, tokens: list[Token], previous: Term) -> Entry:
     """``left`` is nearly always the side; "V1 left the road" has a subject and an object."""
     before = {previous.cat, previous.value}
     subject = bool(before & {"actor", "pronoun", "aux", ")"})  # "a cyclist (V2) left the …"
-    left = begins(tokens, match.j, "det", "possessive", "place", "manner")
-    left = (left and low_at(tokens, match.j) != "lane") or low_at(tokens, match.j) in word_list(
-        "leaving"
-    )
+    after = low_at(tokens, match.j)
+    left = after != "lane" and begins(tokens, match.j, "det", "possessive", "place", "manner")
+    left = left or after in word_list("leaving")
     return match.get("verb" if subject and left else "dir")
 
 

@@ -25,7 +25,7 @@ def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
     Else in the one that is usual there.
     """
     number = number_at(tokens, i)
-    rated = _its_speed(tokens, i)
+    rated = number is not None and _its_speed(tokens, i)
     if number is None or not (_FEWEST < number.value <= _MOST or (rated and not number.value)):
         return None
     j = i + number.length
