@@ -10,6 +10,7 @@ from sayings import (
     CUTS_IN,
     EVERY,
     HIDES,
+    IGNORES,
     PASSES,
     RUNS_INTO,
     STANDS,
@@ -38,10 +39,14 @@ def stops_short(c):
     return changed(c, "ego", speed_program=(phase,))
 
 
-def gains_speed(c, name):
+def slows(c, name):
+    return gains_speed(c, name, by_mps=-2.0)
+
+
+def gains_speed(c, name, by_mps=1.0):
     after = SpeedPhase(
         trigger=AtTime(time_s=0.5),
-        target_speed_mps=c.participant(name).speed_mps + 1.0,
+        target_speed_mps=c.participant(name).speed_mps + by_mps,
         rate_mps2=1.0,
     )
     return changed(c, name, speed_program=(*c.participant(name).speed_program, after))
@@ -163,6 +168,7 @@ MUTATIONS = {
     "it comes in as far behind": (CUTS_IN, comes_in_behind, "spacing.0"),
     "who cuts in does so behind": (CUTS_IN, comes_in_behind, "hazard.0.cut_in"),
     "it cuts in earlier": (CUTS_IN, lambda c: earlier_change(c, 15.0), "spacing.0"),
+    "the ego reacts": (IGNORES, lambda c: slows(c, "ego"), "unresponsive.ego"),
     "it is another kind of vehicle": (
         CUTS_IN,
         lambda c: changed(c, "van", kind=ParticipantKind.TRUCK),

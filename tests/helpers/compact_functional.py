@@ -58,6 +58,7 @@ def _participant(p: Any) -> dict[str, Any]:
         "lanes": sorted(p.lanes),
         "parked": p.parked,
         "circulating": p.circulating,
+        "unresponsive": p.unresponsive,
         "kph": number(p.speed_mps, _KPH) if p.speed_mps is not None else None,
     }
     said = {key: value for key, value in values.items() if value is not False}

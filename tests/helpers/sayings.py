@@ -48,6 +48,14 @@ CUTS_IN = said(
     ],
     hazards=[{"kind": "cut_in", "by": ["van"], "to": ["ego"]}],
 )
+IGNORES = said(
+    "straight",
+    person("ego", speed=80, unresponsive=True),
+    person("lorry", "truck", speed=85, approaches=["adjacent"], maneuvers=["lane_change"]),
+    junction={"lanes": [2, 2]},
+    acts=[{"id": "cut", "participant": "lorry", "kind": "change_lane", "into": "ego"}],
+    hazards=[{"kind": "cut_in", "by": ["lorry"], "to": ["ego"]}],
+)
 CROSSES = said(
     "four_way",
     person("ego", speed=30, maneuvers=["straight"]),
@@ -156,4 +164,15 @@ RUNS_INTO = said(
     acts=[{"id": "brake", "participant": "car", "kind": "brake", "rate_mps2": 5}],
     outcome={"kind": "collision", "between": ["ego", "car"]},
 )
-EVERY = [BRAKES, CUTS_IN, CUTS_AND_BRAKES, CROSSES, WALKS, STANDS, HIDES, PASSES, RUNS_INTO]
+EVERY = [
+    BRAKES,
+    CUTS_IN,
+    CUTS_AND_BRAKES,
+    IGNORES,
+    CROSSES,
+    WALKS,
+    STANDS,
+    HIDES,
+    PASSES,
+    RUNS_INTO,
+]

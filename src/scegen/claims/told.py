@@ -57,6 +57,10 @@ class Told:
         """How somebody drives or goes across, None if it does neither."""
         return self.drive(name) or self.crossing(name)
 
+    def unresponsive(self, name: str) -> bool:
+        """Whether it is said to brake for nobody."""
+        return any(p.unresponsive for p in self.people if p.id == name)
+
     def acts_of(self, name: str) -> tuple[Act, ...]:
         """What somebody does, in order."""
         return tuple(act for act in self.functional.acts if act.participant == name)

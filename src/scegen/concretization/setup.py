@@ -75,7 +75,8 @@ def _implied(tale: Tale, hazard: Hazard) -> Iterator[Act]:
         reverses = drive.reverses is not None or HazardKind.REVERSING in tale.kinds_by(name)
         stays = reverses or drive.maneuver is Maneuver.STAY
         whom = hazard.to or [person.id for person in tale.functional.participants]
-        runs_in = late and any(tale.contact_wanted(name, to) for to in whom)
+        never = tale.functional.participant(name).unresponsive
+        runs_in = late and (never or any(tale.contact_wanted(name, to) for to in whom))
         if name not in hazard.by or name in own or stays or runs_in:
             continue
         act = implied(hazard.kind, name, name, kind)

@@ -98,11 +98,16 @@ def runs_first_into(traffic: Traffic, name: str) -> Contact | None:
 
 
 def unwanted(traffic: Traffic) -> Iterator[Contact]:
-    """The contacts that somebody should brake for; whoever is to crash before is halted by it."""
+    """The contacts that somebody should brake for who reacts.
+
+    Whoever is to crash before is halted by it.
+    """
+    drive_on = {p.id for p in traffic.tale.functional.participants if p.unresponsive}
     for (time_s, *pair), crashed in _unasked(traffic):
         for who, other in permutations(pair):
             contact = Contact(time_s, who, other)
-            if who in traffic.movers and who not in crashed and _runs_in(traffic, contact):
+            brakes = who in traffic.movers and who not in crashed | drive_on
+            if brakes and _runs_in(traffic, contact):
                 yield contact
 
 

@@ -65,7 +65,8 @@ class Participant(CheckedModel):
     one sees them on its course where they meet. ``light`` is what the light that stands for it
     shows as it goes, and how it meets that, None if not said; people on foot only go at ``green``
     or ``red``. An emergency vehicle ``on_call`` has its siren and its lights on: everybody gives
-    way to it where their ways cross or join, and it need not wait for signs and lights.
+    way to it where their ways cross or join, and it need not wait for signs and lights. One who is
+    ``unresponsive`` brakes for nobody: apart from its own acts it drives on as it did.
     One that waits sets off ``green_delay_s`` after its light has turned green, None if not said.
     ``length_m`` and ``width_m`` are its size, None where it is as large as its kind usually is.
     """
@@ -80,6 +81,7 @@ class Participant(CheckedModel):
     lanes: ArmSet = frozenset()
     circulating: bool = False
     on_call: bool = False
+    unresponsive: bool = False
     strip: Strip | None = None
     crosses: CrossedArm | None = None
     light: AtLight | None = None

@@ -24,6 +24,7 @@ _ON_THE_WAY = frozenset({Maneuver.LANE_CHANGE})
 """What comes before a turn at the junction ("cuts in and turns right")."""
 IMPLIED = (
     "crossing", "lanes", "passing", "access", "from_kerb",
+    "unmoved",  # nobody who drives reacts
     "side_road",  # somebody comes from the left or right; it takes one unless lanes are meant
 )  # fmt: skip
 _WAITS_TO_CROSS = "nobody walks along the road and then crosses it: it stands until it crosses"
@@ -74,7 +75,7 @@ class Draft:
     ramp: Basis | None = None
     """Words for a ramp, or a lane that ends."""
     implied: dict[str, Basis] = field(default_factory=dict)
-    """What the road must have (of `IMPLIED`), with the first words from which it follows."""
+    """What is so of the road, or of all (of `IMPLIED`), with the first words that tell so."""
     used: dict[str, CrossedArm] = field(default_factory=dict)
     """How who drives comes to a kind of road of the junction."""
     lying: list[Any] = field(default_factory=list)

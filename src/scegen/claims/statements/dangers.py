@@ -58,7 +58,7 @@ def _test_of(told: Told, hazard: Hazard) -> Callable[[Told, Hazard, View], Judge
         return _slower
     if hazard.kind is HazardKind.STOPPING:
         return _in_time
-    hits = all(_struck(told, hazard, by) for by in hazard.by)
+    hits = all(_struck(told, hazard, by) or told.unresponsive(by) for by in hazard.by)
     return _too_late if hazard.kind is HazardKind.DELAYED_BRAKING and hits else _happens
 
 
@@ -137,19 +137,19 @@ def _struck(told: Told, hazard: Hazard, by: str) -> list[str]:
 
 
 def _too_late(told: Told, hazard: Hazard, view: View) -> Judged:
-    """Who is said to run into somebody brakes late, or has not braked when it does."""
+    """Who is said to run into somebody, or not to react, brakes late or has not braked by then."""
     late = _happens(told, hazard, view)
     margin = np.where(_never_brakes(told, hazard, view), np.maximum(late.margin, 0.0), late.margin)
     return Judged(margin, margin, late.time_s)
 
 
 def _never_brakes(told: Told, hazard: Hazard, view: View) -> Bools:
-    """Whether all who cause it run into whom they are said to without braking before."""
+    """Whether all who cause it do not brake before they run into whom they are said to, if so."""
     never = np.ones(view.count, dtype=np.bool_)
     for by in hazard.by:
         hits = [view.of_pair("contact_s", by, to) for to in _struck(told, hazard, by)]
         hit = np.min([*hits, np.full(view.count, np.inf)], axis=0)
         run = speed_runs(view, by, -1)[0]
         brakes = run.happens & (view.time_of(run.begin) < hit)
-        never &= np.isfinite(hit) & ~brakes
+        never &= (np.isfinite(hit) | told.unresponsive(by)) & ~brakes
     return never

@@ -1,4 +1,7 @@
-"""Stated speeds: held from the start until the first act, hazard, turn or reaction."""
+"""Stated speeds: held from the start until the first act, hazard, turn or reaction.
+
+Who is said not to react holds the speed with which it begins, and has no reaction.
+"""
 
 from __future__ import annotations
 
@@ -51,6 +54,10 @@ def claims(told: Told) -> Iterator[Claim]:
     """Of everybody whose speed is given and who does not stand."""
     for person in told.people:
         stays = (person.parked and not person.pulls_out) or person.maneuvers == {Maneuver.STAY}
+        if person.unresponsive and not stays and told.drive(person.id) is not None:
+            does, test = f"{person.id} brakes for nobody", partial(_no_slower, told, person)
+            field = f"participants.{person.id}.unresponsive"
+            yield speed_claim(f"unresponsive.{person.id}", does, field, test)
         if person.speed_mps is None or stays:
             continue
         crossing = told.crossing(person.id)
@@ -128,10 +135,18 @@ def _holds(told: Told, person: Participant, wanted: Interval, view: View) -> Jud
     return Judged(within(worst, wanted, SPEED_MPS) * KPH, worst * KPH, view.time_of(step))
 
 
+def _no_slower(told: Told, person: Participant, view: View) -> Judged:
+    """The most by which it is ever slower than at first."""
+    inside = np.arange(view.steps) <= _held_until(told, person, view)[:, None]
+    speed = view.speed_mps(person.id)
+    lost, step = greatest(np.where(inside, speed[:, :1] - speed, 0.0))
+    return Judged((SPEED_MPS - lost) * KPH, lost * KPH, view.time_of(step))
+
+
 def _held_until(told: Told, person: Participant, view: View) -> Ints:
     """The last step in which the stated speed must be held (c,)."""
     name = person.id
-    closest = _closest(told, view, name)
+    closest = view.last_step if person.unresponsive else _closest(told, view, name)
     ends = [_own_change(told, person, view), view.last_step, closest]
     if _turns(told, name) and not _comes_no_farther(told, name):
         ends.append(_before_turn(told, name, view))
@@ -140,7 +155,7 @@ def _held_until(told: Told, person: Participant, view: View) -> Ints:
     hit = hit_s(told, view, name)
     happens = np.isfinite(hit)
     ends.append(np.where(happens, view.step_of(np.where(happens, hit, 0.0)), view.steps))
-    if not hits and _may_react(told, name):
+    if not hits and not person.unresponsive and _may_react(told, name):
         ends.append(_others_begin(told, name, view, closest))
     return np.asarray(np.min(ends, axis=0))
 

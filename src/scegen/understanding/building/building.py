@@ -175,6 +175,10 @@ class Builder:
             seen = seen | along[0]
         maneuvers = maneuvers_of(entity, junction, self.draft)
         circulates = entity.told.get("circulates")
+        drives = entity.is_vehicle and not entity.still
+        unmoved = entity.told.get("unmoved") or (
+            self.draft.implied.get("unmoved") if drives else None
+        )
         ring = junction.kind is JunctionKind.ROUNDABOUT and circulates is not None
         light = self._light(entity, maneuvers, junction)
         delay = entity.green_delay if light[0] is AtLight.WAITS else None
@@ -193,6 +197,7 @@ class Builder:
             ),
             "circulating": (ring, circulates),
             "on_call": (entity.on_call is not None, entity.on_call),
+            "unresponsive": (unmoved is not None, unmoved),
             "strip": entity.strip or _NOT_SAID,
             # on a road without a junction there is but one way to cross
             "crosses": entity.crosses if there and entity.crosses is not None else _NOT_SAID,

@@ -240,7 +240,9 @@ def read_noun(noun: NounPhrase, state: State) -> None:
     if also_from(noun, state):
         return
     verb = state.anchor
-    if isinstance(verb, Event) and verb.object is None and not state.between - {"or", "either"}:
+    takes = isinstance(verb, Event) and verb.object is None and not state.between - {"or", "either"}
+    # not "without a reaction our front hits …"
+    if isinstance(verb, Event) and takes and not (verb.nominal and noun.owner is not None):
         verb.object = noun
         state.stand_at(noun)
     elif not state.events and state.candidate is None:

@@ -114,7 +114,7 @@ _OWED = frozenset({"yield", "stop", "brake", "slow", "wait", "turn", "move", "u_
                    "inert", "leave", "swerve", "lane_change", "accelerate",
                    "reverse"})  # fmt: skip
 """What is told of everybody when nobody does it."""
-_UNDONE = frozenset({"hide", "block", "encounter"})
+_UNDONE = frozenset({"hide", "block", "encounter", "react", "avoid"})
 """What is not done if nothing does it; it is told of nobody in particular."""
 _ASKED = frozenset({"inert", "try", "encounter", "light"})
 _NONE = frozenset({"nobody", "everybody"})

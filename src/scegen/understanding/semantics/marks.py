@@ -25,6 +25,7 @@ NOTED = (
     "goes_back",  # it goes back before it has changed lanes
     "walks_up",  # it goes towards the road, on foot, and has not crossed it
     "halts",  # it stops at the kerb, and does not go on
+    "unmoved",  # it does not react
     "gone_by",  # it has passed before what is told with it
 )  # fmt: skip
 """What only rows, or few besides, ask of a participant again."""
