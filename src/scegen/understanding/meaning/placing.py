@@ -73,7 +73,7 @@ def _locus(prep: Prep, entities: list[Entity], event: Event | None, context: Con
     out_of = prep.outer == "from" and isinstance(target, Mention)
     aside = prep.value in {"behind", "ahead"} and holds("goes_past", clause, context)
     leads = prep.value == "ahead" and holds("leads_there", clause, context)
-    if event is not None and target and (out_of or aside or leads):
+    if out_of or (event is not None and target and (aside or leads)):
         return
     comes = target is None and (prep.outer, prep.value) == ("from", "ahead")
     approaches = {Approach.OPPOSITE if comes else Approach(prep.value)}
