@@ -85,6 +85,7 @@ def situation(seed):
     if outcome is not None:
         fields["outcome"] = {"kind": outcome, "between": ["ego", "other"]}
     junction = _junction(rng, kind, hazard)
+    ego["unresponsive"] = rng.random() < 0.2
     return said(kind, *people, junction=junction, hazards=dangers, **fields)
 
 
