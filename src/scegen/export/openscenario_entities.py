@@ -28,7 +28,7 @@ def entities(concrete: ConcreteScenario, *, external_ego: bool = False) -> xosc.
     An ego that somebody else drives carries a property that says so.
     """
     result = xosc.Entities()
-    for participant in concrete.participants:
+    for participant in concrete.ego_first:
         body = participant.body
         # esmini moves no MiscObject: a door goes as who gets out by it.
         if participant.kind in ON_FOOT | {ParticipantKind.DOOR}:

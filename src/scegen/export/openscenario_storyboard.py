@@ -76,7 +76,7 @@ def _init(
 ) -> xosc.Init:
     init = xosc.Init()
     init.add_global_action(environment_action(concrete.environment, minor))
-    for participant in concrete.participants:
+    for participant in concrete.ego_first:
         path = paths[participant.id]
         place = world_position(path.start)
         if start := numbers.starts.get(participant.id):

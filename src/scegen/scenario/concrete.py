@@ -352,6 +352,11 @@ class ConcreteScenario(CheckedModel):
         return (*self.participants, *self.objects)
 
     @property
+    def ego_first(self) -> tuple[ConcreteParticipant, ...]:
+        """The participants as files list them: for who does not know its name, the ego is first."""
+        return tuple(sorted(self.participants, key=lambda p: p is not self.ego))
+
+    @property
     def ego(self) -> ConcreteParticipant:
         """The vehicle under test."""
         return next(p for p in self.participants if p.role is Role.EGO)

@@ -41,12 +41,13 @@ def simulated_csv(concrete: ConcreteScenario) -> str:
     paths = build_paths(concrete, build_network(concrete.road))
     traces = simulate(concrete, paths, dt_s=STEP_S)
     still = object_paths(concrete)
-    header = [f"#{n} {name}" for n in range(1, len(concrete.entities) + 1) for name in _COLUMNS]
+    entities = (*concrete.ego_first, *concrete.objects)
+    header = [f"#{n} {name}" for n in range(1, len(entities) + 1) for name in _COLUMNS]
     lines = [", ".join(["Index [-]", "TimeStamp [s]", *header])]
     steps = round(concrete.duration_s / STEP_S) + 1
     for step in range(steps):
         cells = [f"{step}", f"{step * STEP_S:.6f}"]
-        for number, entity in enumerate(concrete.entities):
+        for number, entity in enumerate(entities):
             if entity.id in traces:
                 state = _state(traces[entity.id], step)
             else:

@@ -172,6 +172,10 @@ def _place_as_usual(story: Story, name: str, order: dict[str, int], wider: float
         return
     front, back = (runner, other) if is_ahead(story, name, other.id) else (other, runner)
     aside = back.moves[0] if back.moves and back.moves[0].lane != back.lane else None
+    if front.thing and back.moves and aside is None:  # it swerves round it
+        out, then = back.moves[0], next(iter(back.moves[1:]), None)
+        runner.at_m = level(runner, other, (out.ends_s + (then or out).begins_s) / 2)
+        return
     near = front.stands and front.lane == back.lane and (front.thing or back is story.ego)
     if near and aside is not None:  # it goes round as late as it can
         tie = GapAt(runner, other, Measure.GAP_M, 0.0, aside.begins_s, ahead=runner is front)
