@@ -206,7 +206,8 @@ def _noun(
     numbered = mention.mod("num") is not None and not reading.parked
     numbered = numbered and reading.kind is ParticipantKind.CAR
     numbered = numbered and not (reading.dirs or mention.pps or mention.prep is not None)
-    both = mention.opened_by("both") or (mention.opened_by("def") and numbered)
+    both = mention.opened_by("both") or "both" in mention.marks
+    both = both or (mention.opened_by("def") and numbered)
     if both and len(found) == _A_PAIR:
         roster.groups[-1].both = True
     return found

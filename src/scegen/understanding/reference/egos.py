@@ -15,6 +15,7 @@ from scegen.understanding.words.numbers import POSITIONS
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token, low_at
 
+_ANY = frozenset({"car", "driver"})
 _REST = 12
 """Within so many words "the other" tells that somebody is one of two."""
 
@@ -110,6 +111,23 @@ def of_both(reading: Reading, loci: set[str], roster: Roster) -> list[Entity]:
         own.named_by.add("ego")
         return claimed([e for e in group.members if (e is own) is reading.ego][:1])
     return []
+
+
+def cast_both(chunks: list[Chunk], events: list[Event]) -> None:
+    """``two cars drive abreast; the adversary drifts towards the ego``: they are both of them."""
+    named = [c for c in chunks if isinstance(c, Mention) and c.heads]
+    first, later = (named[0], named[1:]) if named else (None, named)
+    if first is None or first.opening or first.noun not in _ANY or first.joined or first.pps:
+        return
+    number = first.mod("num")
+    doing = [e for e in events if first in e.subject]
+    met = [n for e in doing for n in (e.object, *(p.target for p in e.pps))]
+    egos = [m for m in later if m.is_ego]
+    alone = not any(m.joined or any(m is n for n in met) for m in egos)
+    alone = alone and not any(e.name in {"park", "stop", "wait"} for e in doing)
+    others = [m for m in later if any(h.data.get("label") == "adversary" for h in m.heads)]
+    if number and number.data["number"] == 2 and egos and alone and others:
+        first.marks.add("both")
 
 
 def rank(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:

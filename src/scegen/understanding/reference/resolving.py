@@ -12,7 +12,7 @@ from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.bonds import Bonds, bonds_of
 from scegen.understanding.reference.describing import describe
 from scegen.understanding.reference.discourse import resolve
-from scegen.understanding.reference.egos import rank, the_teller
+from scegen.understanding.reference.egos import cast_both, rank, the_teller
 from scegen.understanding.reference.generic import mark_generic
 from scegen.understanding.reference.mention_words import is_pronoun
 from scegen.understanding.reference.own_vehicles import is_apart, teller_goes_by
@@ -30,6 +30,7 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], roster: Roster) -
     roster.apart = is_apart(chunks) and teller is not None
     mark_generic(chunks, events, roster.tokens)
     rank(chunks, events, roster.tokens)
+    cast_both(chunks, events)
     bonds = bonds_of(chunks, events, roster.tokens)
     owners = {id(c.owner) for c in chunks if isinstance(c, Mention | Thing)}
     stand = {id(m): e for e in events if e.name == "park" and not e.negated for m in e.subject}
