@@ -10,7 +10,8 @@ from scegen.motion.standing import object_paths
 from scegen.motion.trigger_steps import STEP_S
 from scegen.road import build_network
 from scegen.scenario.bodies import Body
-from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
+from scegen.scenario.objects import StaticObject
 
 _COLUMNS = (
     "Entity_Name [-]",
@@ -41,7 +42,7 @@ def simulated_csv(concrete: ConcreteScenario) -> str:
     paths = build_paths(concrete, build_network(concrete.road))
     traces = simulate(concrete, paths, dt_s=STEP_S)
     still = object_paths(concrete)
-    entities = (*concrete.ego_first, *concrete.objects)
+    entities: list[ConcreteParticipant | StaticObject] = [*concrete.ego_first, *concrete.objects]
     header = [f"#{n} {name}" for n in range(1, len(entities) + 1) for name in _COLUMNS]
     lines = [", ".join(["Index [-]", "TimeStamp [s]", *header])]
     steps = round(concrete.duration_s / STEP_S) + 1

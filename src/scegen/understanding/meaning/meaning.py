@@ -38,6 +38,8 @@ _UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "appro
                        "merge", "enter", "follow", "move", "turn", "appear", "swerve",
                        "pull_out", "collide"})  # fmt: skip
 _INTO = frozenset({"lane_change", "cut_in", "cut_off", "merge"})
+_LONGEST = 4
+"""Words of a conjunction."""
 _ASIDE = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
 _PASSING = frozenset({"bypass", "overtake", "block"})
 _PAIR = (Approach.LEFT, Approach.RIGHT)
@@ -71,6 +73,7 @@ def interpret(chunks: list[Chunk], events: list[Event], context: Context) -> lis
         for p in e.pps
         if _is_of_the_verb(p, e, context.draft.kerb) or _gone_to(p, e, context)
     }
+    of_verbs |= {id(p) for c in chunks if isinstance(c, Mention) for p in _then(c, events, context)}
     context.told_in_the_past = any(
         e.finite and e.form == "ed" and e.name != "stop" and not e.passive for e in events
     )  # "is hit" tells of now
@@ -109,6 +112,17 @@ def _gone_to(prep: Prep, event: Event, context: Context) -> bool:
     """``10 m in front of it, a van changes lanes``: not there before."""
     far = prep.fronted and ends_a_quantity(context.tokens, prep.word.i) is not None
     return far and prep.value == "ahead" and event.name in _INTO
+
+
+def _then(who: Mention, events: list[Event], context: Context) -> list[Prep]:
+    """``cuts in when it is 10 m in front``: so it is then, and not before."""
+    told = next((e for e in reversed(events) if e.i < who.i), None)
+    when = any(
+        " ".join(context.lows(k, who.i)) in word_list("triggers")
+        for k in range(max(0, who.i - _LONGEST), who.i)
+    )
+    own = told is not None and told.name in _UNDERWAY | _INTO and {*who.entities} & {*told.doers}
+    return [p for p in who.pps if p.predicate and p.value == "ahead"] if when and own else []
 
 
 def _named(

@@ -117,7 +117,9 @@ def cast_both(chunks: list[Chunk], events: list[Event]) -> None:
     """``two cars drive abreast; the adversary drifts towards the ego``: they are both of them."""
     named = [c for c in chunks if isinstance(c, Mention) and c.heads]
     first, later = (named[0], named[1:]) if named else (None, named)
-    if first is None or first.opening or first.noun not in _ANY or first.joined or first.pps:
+    if first is None or first.noun not in _ANY or first.opening or first.joined:
+        return
+    if first.pps or first.dirs:
         return
     number = first.mod("num")
     doing = [e for e in events if first in e.subject]
