@@ -8,7 +8,7 @@ from scegen.understanding.clauses.located import is_it, opens_clause
 from scegen.understanding.clauses.state import State
 from scegen.understanding.words.terms import Term
 
-_PASSING = frozenset({"overtake", "pass", "undertake"})
+_PASSING = frozenset({"overtake", "pass", "undertake", "bypass"})
 _MET = _PASSING | {"collide"}
 _OUT, _HALVES = frozenset({"overtake", "bypass"}), frozenset({"lane", "side"})
 _ASIDE = frozenset({",", "unknown", "inert"})
