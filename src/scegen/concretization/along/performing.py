@@ -173,7 +173,8 @@ def _on_the_ramp(story: Story, runner: Runner, moves: list[Move]) -> list[SpeedC
     If nothing else is said of its speed.
     """
     functional = story.functional
-    if runner.steps or story.speed_acts(runner.id):
+    drives_on = functional.participant(runner.id).unresponsive  # "without slowing"
+    if runner.steps or story.speed_acts(runner.id) or drives_on:
         return []
     if runner.id in story.merging:
         others = (r for r in story.runners.values() if r.forward and r is not runner)

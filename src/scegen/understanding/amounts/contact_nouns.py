@@ -25,9 +25,6 @@ def of_phrases(text: Telling) -> list[Ending]:
         if span is None:
             continue
         between = around_it(span[0], None, text)
-        named = text.spoken_of(*text.bounds(span[0]))
-        if text.ego in named and text.ego not in between:
-            between = []  # "sees two walkers and lets them get across unharmed"
         found.append(Ending(OutcomeKind(name), Basis(*span), between))
     return found
 

@@ -105,10 +105,10 @@ def _by_the_verb(ending: Ending, text: Telling) -> None:
         rams = text.ego in scene.actors and scene.event.lemma in into
         ending.struck_basis = ending.basis
         ending.struck = BodySide.FRONT if rams else _side_faced(ending, text)
-    egos = hit is not None and text.ego in hit.actors
+    egos = hit is not None and (text.ego in hit.actors or ending.other in hit.targets)
     if hit is not None and (egos or text.ego in hit.targets or ending.other in hit.actors):
         ending.struck = BodySide.FRONT if egos else BodySide.REAR
-        ends = [ending.basis.j or 0, *(p.place.j for p in hit.event.pps if p.place is not None)]
+        ends = [ending.basis.j or 0, *((p.place or p.word).j for p in hit.event.pps)]
         ending.struck_basis = Basis(ending.basis.i, max(ends))
 
 

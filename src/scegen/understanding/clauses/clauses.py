@@ -12,6 +12,7 @@ from __future__ import annotations
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.clauses import subjects
 from scegen.understanding.clauses.attachment import outside, preposition, release
+from scegen.understanding.clauses.dependents import chain
 from scegen.understanding.clauses.further import close_relative
 from scegen.understanding.clauses.nominals import read_mention, read_noun
 from scegen.understanding.clauses.state import State
@@ -27,6 +28,7 @@ from scegen.understanding.phrases.lookahead import (
 from scegen.understanding.words.terms import NOTHING, Term
 
 _OPENERS = frozenset({"conj", "sub", "punct"})
+_PREDICATES = frozenset({"manner", "state"})
 _LANES = frozenset({"lane", "bike_lane", "shoulder", "sidewalk", "side", "bus_stop"})
 
 
@@ -86,8 +88,6 @@ class ClauseReader:
         if word.value == "before" and following.cat == "quantity":
             return  # "and after 3 s brakes": a moment, no clause
         ends = word.value == "," or word.cat in {"conj", "sub"}
-        if ends and {"neg:not", "unknown"} <= state.between:
-            state.between.discard("neg:not")  # "stands still but not centred, and I hit it"
         denied = ends and state.at(-1).cat == "neg"
         if denied and isinstance(following, Mention):  # "It can't, we ram it"
             state.between = {w for w in state.between if not w.startswith(("neg:", "aux:"))}
@@ -151,19 +151,20 @@ class ClauseReader:
         before_event = event_follows(self._chunks, state.k)
         waits = isinstance(verb, Event) and verb.control
         opens = word.cat == "manner" and isinstance(following, Event) and following.form == "s"
-        copular = "aux:be" in state.between and not before_event and word.cat == "manner"
+        copular = "aux:be" in state.between and not before_event and word.cat in _PREDICATES
         predicate = not before_event or word.cat in {"dir", "state", "compass"}
         relative = word.cat == "quantity" and bool(state.events) and not state.between
         before_event = before_event and (not relative or self._clause_start())
-        noun = state.last_pp or state.anchor
+        related = "rel" in state.between and bool(state.mentions) and predicate
+        noun = state.mentions[-1] if related else state.last_pp or state.anchor
+        stated = word.cat == "state" and {","} == state.between
         if opens and after_event and not state.candidate_done:
             state.ahead.append(word)  # "a cyclist riding ahead suddenly turns"
         elif copular and state.waiting is not None:
-            state.waiting.mods.append(word)  # "the one behind me is too close"
-        elif word.cat == "state" and isinstance(noun, Mention) and {","} == state.between:
+            for who in chain(state.waiting):  # "the one behind me is too close"
+                who.mods.append(word)
+        elif isinstance(noun, Mention) and (related or stated):
             noun.mods.append(word)  # "hits the van, by then stationary, in the rear"
-        elif "rel" in state.between and state.mentions and predicate:
-            state.mentions[-1].mods.append(word)
         elif before_event and (not after_event or waits) and not self._told_before(word):
             state.ahead.append(word)
         elif state.events and not self._clause_start():
@@ -221,8 +222,6 @@ class ClauseReader:
         if _is_thing(before):
             there = "copy" in self._state.between  # "we stop, there's a crate lying in the lane"
             return event.form == "ing" and (there or not self._state.between)
-        if event.name == "wait" and _is_thing(self._state.at(1)):
-            return True  # "60 m ahead of the ego lies a mattress"
         view = view_of(self._state.before(3))
         if view is not None and event.form == "ed":
             event.passive, event.object = True, view  # "its view blocked by a truck"
@@ -260,7 +259,8 @@ class ClauseReader:
             if event.form != "ing" or event.finite:  # "ahead of it a van doing 50 km/h brakes"
                 event.pps += state.opening
                 state.opening = []
-        if by_follows(self._chunks, state.k):
+        undergone = event.name == "collide" and state.at(1).value == "from"  # "hit from behind"
+        if undergone or by_follows(self._chunks, state.k):
             subjects.before_by(event)
         apart = {"aux:do", "conj"} <= state.between and event.form in {"s", "ed"}
         if apart:  # "the van behind doesn't and overtakes us"

@@ -74,9 +74,11 @@ def interpret(chunks: list[Chunk], events: list[Event], context: Context) -> lis
         if _is_of_the_verb(p, e, context.draft.kerb) or _gone_to(p, e, context)
     }
     of_verbs |= {id(p) for c in chunks if isinstance(c, Mention) for p in _then(c, events, context)}
-    context.told_in_the_past = any(
-        e.finite and e.form == "ed" and e.name != "stop" and not e.passive for e in events
-    )  # "is hit" tells of now
+    context.told_in_the_past = any(  # "is hit" tells of now, "was driving" of then
+        (e.finite and e.form == "ed" and e.name != "stop" and not e.passive)
+        or (e.form == "ing" and context.tokens[e.i - 1].low in word_list("was"))
+        for e in events
+    )
     told = [clause_of(e) for e in events]
     of_nouns = {id(c): clause_of_noun(c) for c in chunks if isinstance(c, Mention)}
     nouns = list(of_nouns.values())

@@ -27,7 +27,7 @@ from scegen.understanding.words.tokens import Token
 _MODIFIERS = frozenset(
     {"dir", "state", "label", "noted", "shape", "control", "compass", "roadmod", "cue", "quantity"}
 )
-_STRAY = frozenset({"manner", "env"})
+_STRAY = frozenset({"manner", "env", "quantity"})
 _MAX_MODS = 10
 _SIDE_WORDS = 2
 _COMING_FROM = frozenset({"opposite", "ahead", "behind", "lateral", "adjacent"})

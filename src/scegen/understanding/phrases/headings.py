@@ -188,13 +188,15 @@ def _of_kind(mention: Mention, kind: str) -> bool:
     return mention.noun == kind and not mention.label
 
 
-def _comes_again(mention: Mention, rest: list[Chunk]) -> bool:
+def _comes_again(mention: Mention, title: list[Chunk], rest: list[Chunk]) -> bool:
     """``Overtaking truck. … a lorry …``: whoever a title names is told of as somebody new."""
-    kind = "" if mention.plural else mention.noun
-    named = [c for c in rest if isinstance(c, Mention) and c.head is not None]
-    fresh = [c for c in named if _new(c)]
-    generic = kind == "car" and any(c.is_ego or _of_kind(c, kind) for c in named)
-    return generic or any(kind == "car" or _of_kind(c, kind) for c in fresh)
+    named = next((h.value for h in mention.heads if h.value in _SPECIFIC), mention.noun)
+    kind = "" if mention.plural else named  # "cyclist target": no vehicle like any other
+    told = [c for c in rest if isinstance(c, Mention) and c.head is not None]
+    fresh = [c for c in told if _new(c)]
+    there = any(m.cat == "quantity" for m in (*title, *mention.mods))  # "car target 80 m ahead"
+    generic = kind == "car" and any(c.is_ego or _of_kind(c, kind) for c in told)
+    return (generic and not there) or any(kind == "car" or _of_kind(c, kind) for c in fresh)
 
 
 def _introduced_again(mention: Mention, rest: list[Chunk]) -> bool:
@@ -212,7 +214,7 @@ def _is_heading(title: list[Chunk], rest: list[Chunk], mark: str) -> bool:
     titled = [c for c in title if isinstance(c, Mention)]
     if mark != ":":
         sided = any(c.value in {"left", "right"} for c in title)
-        again = all(_comes_again(c, rest) for c in titled) and not _names_ego(title)
+        again = all(_comes_again(c, title, rest) for c in titled) and not _names_ego(title)
         told = (again and not sided) or all(_is_for(c, title) for c in titled)
         if mark != "." or not titled or not told:
             return False

@@ -9,9 +9,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.doings_named import noted, spell_out_doings, teller_at
-from scegen.understanding.phrases.lookahead import GOVERNING, cat_at, chunk_at, ends, value_at
+from scegen.understanding.phrases.lookahead import (
+    GOVERNING,
+    cat_at,
+    chunk_at,
+    ends,
+    free_mentions,
+    sentence_end,
+    value_at,
+)
 from scegen.understanding.words.terms import Term
 
 _WAYS = frozenset({("dir", "left"), ("dir", "right"), ("dir", "straight"), ("manner", "backwards")})
@@ -19,6 +28,8 @@ _SEPARATORS = frozenset({",", "and", "but", "or", "while", "when", "as", "both"}
 _AFTER = frozenset({"prep", "conj", "sub", "manner", "env", "locus", "control"})
 _WITHIN = frozenset({"", "prep", "locus", "dir", "manner", "label", "quantity"})
 _NAMED = frozenset({"cut_in", "lane_change", "merge", "u_turn", "hard_brake", "swerve"})
+_MARKS = frozenset({".", ";", "!", "?"})
+_ARTICLES = ("det", "num", "possessive", "quant")
 _UNDERGONE = frozenset({"park", "hide", "block", "collide", "locate", "follow", "overtake",
                         "encounter", "cut_off", "cut_in", "cause", "prevent"})  # fmt: skip
 """Verbs whose participle says what happened to somebody."""
@@ -29,12 +40,14 @@ def spell_out(chunks: list[Chunk]) -> list[Chunk]:
     chunks = _in_lanes([c for k, c in enumerate(chunks) if not _before_its_side(chunks, k)])
     if any(chunk.value == ":" for chunk in chunks):
         chunks = _after_headings(_from_titles(chunks))
-    chunks = _told_by_nobody(spell_out_doings(chunks))
+    chunks = spell_out_doings(chunks)
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Event):
             chunk.nominal = chunk.nominal or _named_doing(chunk, chunks, k)
     found: list[Chunk] = []
     for k, chunk in enumerate(chunks):
+        if _told_by_nobody(chunks, k):
+            found.append(teller_at(chunk.i))
         if isinstance(chunk, Place) and chunk.kind == "exit" and _clause_opener(chunks, k):
             found.append(Event("leave", chunk.i, chunk.i, "s"))  # "ego 3rd exit"
         found += _going(chunks, k) or [chunk]
@@ -119,43 +132,48 @@ def _titled(title: list[Chunk]) -> Place | None:
     return first if simple and named and isinstance(first, Place) else None
 
 
-def _told_by_nobody(chunks: list[Chunk]) -> list[Chunk]:
+def _told_by_nobody(chunks: list[Chunk], k: int) -> bool:
     """``Turned right and hit a van``, ``Was going straight``: whoever tells it did.
 
-    So did who is "Following a truck at 80 km/h." or "Overtaking a bus. It swerves."
+    So did who is "Following a truck at 80 km/h." or "Overtaking a bus. It swerves.", and so does
+    who is told "Overtake the truck." or is "Behind a van at 60 km/h."
     """
-    auxiliary = (cat_at(chunks, 0), value_at(chunks, 0)) == ("aux", "be")
-    k = int(auxiliary)
-    verb = chunk_at(chunks, k)
-    if not isinstance(verb, Event) or verb.nominal:
-        return chunks
+    if k and value_at(chunks, k - 1) not in _MARKS:
+        return False
+    auxiliary = (cat_at(chunks, k), value_at(chunks, k)) == ("aux", "be")
+    verb, following = chunk_at(chunks, k + auxiliary), chunk_at(chunks, k + auxiliary + 1)
+    end = sentence_end(chunks, k)
+    if verb.cat == "locus" and isinstance(following, Mention) and value_at(chunks, end) != ":":
+        others = [m for m in free_mentions(chunks[k:end]) if m.pronoun != "both"]
+        return not others and not any(isinstance(c, Event) for c in chunks[k:end])
+    if not isinstance(verb, Event) or verb.nominal or following.value in {"by", "of"}:
+        return False
+    if verb.form == "base":
+        named = isinstance(following, NounPhrase) and following.mod(*_ARTICLES) is not None
+        named = named or (isinstance(following, Mention) and following.pronoun is not None)
+        placed = following.cat in {"prep", "locus", "dir"} or following.value == "length"
+        return verb.name in word_list("commanded") and (named or placed)
     past = verb.form == "ing" if auxiliary else verb.form == "ed"
     past = past or (verb.form == "ing" and _whole_sentence(chunks))
-    undergone = verb.name in _UNDERGONE and not isinstance(chunk_at(chunks, k + 1), Mention)
-    if not past or (undergone and not auxiliary) or value_at(chunks, k + 1) == "by":
-        return chunks
-    return [teller_at(verb.i), *chunks]
+    undergone = verb.name in _UNDERGONE and not isinstance(following, Mention)
+    return k == 0 and past and (auxiliary or not undergone)
 
 
 def _whole_sentence(chunks: list[Chunk]) -> bool:
     """Whether the first sentence has no verb but participles ("braking of the bus:" has none)."""
-    end = next((k for k, c in enumerate(chunks) if ends(c)), len(chunks))
-    if value_at(chunks, 1) == "of" or value_at(chunks, end) == ":":
+    end = sentence_end(chunks, 0)
+    if value_at(chunks, end) == ":":
         return False
     return all(c.nominal or c.form == "ing" for c in chunks[:end] if isinstance(c, Event))
 
 
 def _plays(chunks: list[Chunk], k: int) -> bool:
-    """``Conflict partner: a bus from the left``: the noun after the colon plays the role."""
+    """``Ego: van, 50 km/h``: the noun after the colon says what the ego is."""
     role, actor = chunk_at(chunks, k - 1), chunk_at(chunks, k + 1)
-    if not (
-        isinstance(role, Mention) and isinstance(actor, Mention) and ends(chunk_at(chunks, k - 2))
-    ):
+    alone = ends(chunk_at(chunks, k + 2)) or value_at(chunks, k + 2) == ","
+    if not (isinstance(role, Mention) and isinstance(actor, Mention) and alone):
         return False
-    plays = role.head is not None and role.head.data.get("label") == "adversary"
-    plays = plays or role.is_ego or bool({"ahead", "behind"} & set(role.dirs))
-    alone = ends(chunk_at(chunks, k + 2)) or value_at(chunks, k + 2) == ","  # "Ego: van, 50 km/h"
-    if not plays or actor.is_ego or (role.is_ego and not alone):
+    if not role.is_ego or actor.is_ego or not ends(chunk_at(chunks, k - 2)):
         return False
     actor.same_as = role
     return True
@@ -163,8 +181,6 @@ def _plays(chunks: list[Chunk], k: int) -> bool:
 
 def _adds_nothing(title: list[Chunk], chunks: list[Chunk], k: int) -> bool:
     first, following = title[0], chunk_at(chunks, k + 1)
-    if first.cat == "dir":
-        return len(title) == 1 and isinstance(following, Mention)
     way = (following.cat, following.value) in _WAYS
     named = isinstance(first, Mention) and not any(isinstance(c, Event) for c in title)
     return way and named

@@ -76,7 +76,7 @@ def resolve(
     if two := _of_two(roster, mention, exclude):
         found = two
     elif mention.pronoun is not None:
-        found = _we(roster, mention, exclude) or of_pronoun(roster, mention, exclude, near)
+        found = _we(roster, mention) or of_pronoun(roster, mention, exclude, near)
     else:
         reading = read_mention(mention, roster.tokens, roster.arms if sides == 0 else sides)
         one = of_both(reading, loci_of(mention), roster)
@@ -143,17 +143,14 @@ def _their_own_queue(roster: Roster, mention: Mention) -> bool:
     return mention.is_mass and (within or end)
 
 
-def _we(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Entity]:
-    """``three of us``: the ego and two more; ``the two of us``: it and who was told of."""
+def _we(roster: Roster, mention: Mention) -> list[Entity]:
+    """``three of us``: the ego and two more."""
     whole = mention.whole
     if mention.pronoun != "count" or whole is None or not any(e.ego for e in whole.entities):
         return []
     count, basis = int(mention.mods[0].data["number"]), Basis(mention.i, whole.j)
     ego = the_ego(roster, ParticipantKind.CAR, basis)
     further = range(min(count, _MOST) - 1)
-    told = [e for e in roster.entities if e.moving_vehicle and e not in (ego, *exclude)]
-    if len(told) == len(further) and roster.tokens[mention.i - 1].low == "the":
-        return [ego, *told]
     others = [roster.new(roster.teller, basis) for _ in further]
     if others:
         roster.groups.append(Group(others, vague=False))

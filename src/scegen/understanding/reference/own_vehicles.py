@@ -28,17 +28,14 @@ def whole_for_part(chunks: list[Chunk], _: object) -> list[Chunk]:
     """``in front of our bumper``, ``behind the van's trailer``: in front of us, behind the van."""
     found: list[Chunk] = []
     for k, part in enumerate(chunks):
-        flank = isinstance(part, Place) and part.kind == "flank"
-        owner = part.owner if isinstance(part, Place | Thing) else None
-        own = part.mod("possessive") if isinstance(part, Place) and flank else None
+        flank = part if isinstance(part, Place) and part.kind == "flank" else None
+        whole = part if isinstance(part, Thing) else flank
+        owner = whole.owner if whole is not None else None
+        own = flank.mod("possessive") if flank is not None else None
         if own is not None and value_at(chunks, k - 1) in _ENDS:
             it = Mention(part.i, part.j, [], own, pronoun="it")
             found.append(teller_at(part.i) if own.value == "first_person" else it)
-        elif (
-            owner is not None
-            and value_at(chunks, k - 2) in _ENDS
-            and (flank or isinstance(part, Thing))
-        ):
+        elif owner is not None and value_at(chunks, k - 2) in _ENDS:
             owner.possessor = False
         else:
             found.append(part)
@@ -239,7 +236,7 @@ def teller_goes_by(
         return ParticipantKind.BICYCLE
     if any(e.name in ONLY_VEHICLES for e in own):
         return next(iter(mines), None)
-    afoot = any(_afoot(e, tokens) for e in own) or any(_on_foot(m, tokens) for m in mentions)
+    afoot = any(_afoot(e) for e in own) or any(_on_foot(m, tokens) for m in mentions)
     return ParticipantKind.PEDESTRIAN if afoot else next(iter(mines), None)
 
 
@@ -256,15 +253,11 @@ def _rides(tokens: list[Token], *, others: bool) -> bool:
     return any(token.forms[-1][0] in word_list("of_cyclists") for after in near for token in after)
 
 
-def _afoot(event: Event, tokens: list[Token]) -> bool:
+def _afoot(event: Event) -> bool:
     """``I stepped out``, ``I was waiting on the pavement``, ``pushing the pram, I …``."""
     if event.name in _STEPS and event.lemma in word_list("stepping"):
         return True
-    what = event.object
-    if event.lemma == "push":
-        last = tokens[what.j - 1].forms[-1][0] if what is not None else ""
-        return event.name == "walk" or last in word_list("of_walkers")
-    places = [what, *(p.target for p in event.pps)]
+    places = [event.object, *(p.target for p in event.pps)]
     waits = event.name in _WAITS
     return waits and any(isinstance(p, Place) and p.kind == "sidewalk" for p in places)
 

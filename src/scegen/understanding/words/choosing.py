@@ -180,13 +180,6 @@ def _not_inflected(match: Match) -> Match:
     return Match(kept, match.j, match.form, match.cats - {"actor", "thing"})
 
 
-def _describes(match: Match, tokens: list[Token]) -> bool:
-    """Whether a role name stands before another adjective and a noun."""
-    following = longest_match(tokens, match.j)
-    direct = following is None or following.has("actor")
-    return not direct and noun_follows(tokens, match.j)
-
-
 def _relates(match: Match, tokens: list[Token], previous: Term) -> bool:
     """``a bus that turns``, ``a bus from the right that turns``."""
     if previous.cat in {"actor", "place", "thing", "inert"}:
@@ -245,12 +238,8 @@ def choose(match: Match, tokens: list[Token], previous: Term) -> tuple[Entry, bo
     if len(match.entries) == 1:
         return match.entries[0], _describes_a_noun(match, tokens, previous)
     before = previous.cat
-    if match.has("actor") and match.has("label") and _describes(match, tokens):
-        return match.get("label"), False  # "the adversarial leading car"
     if match.has("noted") and match.has("actor") and before == "det":
         return match.get("noted" if noun_follows(tokens, match.j) else "actor"), False
-    if match.has("verb") and match.has("prep") and before == "verb":
-        return match.get("prep"), False  # "rides near the kerb"
     if match.has("verb"):
         return _verb_or_other(match, tokens, previous)
     if match.has("rel") and match.has("det"):

@@ -41,12 +41,14 @@ def _asked(tokens: list[Token], k: int) -> int:
     """How many words ``could you make me`` has before what is asked for, which is new."""
     end = k + _phrase(tokens, k, "asking")
     end += end > k and low_at(tokens, end) in word_list("first_person")
-    if end > k and low_at(tokens, end) == "one" and begins(tokens, end + 1, "prep", "sub", "punct"):
-        return end + 1 - k  # "can you do one in fog?": a scenario
+    one = end + (low_at(tokens, end) == "the")
+    if end > k and low_at(tokens, one) == "one" and begins(tokens, one + 1, "prep", "sub", "punct"):
+        return one + 1 - k  # "can you do one in fog?": a scenario
     match = longest_match(tokens, end)
     counted = number_at(tokens, end) is not None and quantity_at(tokens, end) is None
     indefinite = match is not None and match.has("det") and match.get("det").value == "indef"
-    return end - k if counted or indefinite else 0
+    listed = end > k and low_at(tokens, end) == ":"
+    return end + listed - k if counted or indefinite or listed else 0
 
 
 def _test_of(tokens: list[Token], k: int) -> int:

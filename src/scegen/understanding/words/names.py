@@ -6,7 +6,7 @@ import re
 from dataclasses import replace
 
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.words.numbers import POSITIONS
+from scegen.understanding.words.numbers import POSITIONS, number_at
 from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.terms import NOTHING, Term, cat_at, noun_follows, term_at
 from scegen.understanding.words.tokens import Token, low_at
@@ -64,11 +64,12 @@ def _aged(tokens: list[Token], i: int) -> Term | None:
     after = tokens[i + 1] if i + 1 < len(tokens) else None
     if tokens[i].low in word_list("ages") and after is not None and after.kind == "number":
         return Term("label", "quality", i, i + 2)  # "a pedestrian, aged 70, …"
-    aged = tokens[i].kind == "number"
-    aged = aged and [t.low for t in tokens[i + 1 : i + 3]] == ["year", "old"]
+    number = number_at(tokens, i)
+    k = i + (number.length if number is not None else 1)
+    aged = number is not None and [t.low for t in tokens[k : k + 2]] == ["year", "old"]
     if not aged and tokens[i].low not in word_list("sexes"):
         return None
-    j = i + 3 if aged else i + 1
+    j = k + 2 if aged else i + 1
     if noun_follows(tokens, j) or low_at(tokens, j) in word_list("sexes"):
         return Term("label", "quality", i, j)
     return Term("actor", "pedestrian", i, j)
