@@ -24,6 +24,9 @@ _UNDERGONE = frozenset({"park", "hide", "block", "collide", "locate", "follow", 
 """Verbs whose participle says what happened to somebody."""
 
 
+_BODY = frozenset({"side", "front", "flank", "portion", "middle"})
+
+
 def spell_out(chunks: list[Chunk]) -> list[Chunk]:
     """The chunks with what telegraphic style leaves out."""
     chunks = _in_lanes([c for k, c in enumerate(chunks) if not _before_its_side(chunks, k)])
@@ -37,6 +40,7 @@ def spell_out(chunks: list[Chunk]) -> list[Chunk]:
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Place) and chunk.kind == "exit" and _clause_opener(chunks, k):
             found.append(Event("leave", chunk.i, chunk.i, "s"))  # "ego 3rd exit"
+        found += _touching(chunks, k)
         found += _going(chunks, k) or [chunk]
     return found
 
@@ -192,6 +196,32 @@ def _going(chunks: list[Chunk], k: int) -> list[Chunk]:
     if any(m.cat == "state" for m in who.mods):
         return [Term("prep", "in", way.i, way.i), Place(way.i, way.j, [way], None, kind="side")]
     return [Event("move", way.i, way.j, "s", mods=[way], data={"drives": True})]
+
+
+def _touching(chunks: list[Chunk], k: int) -> list[Chunk]:
+    """``our front into its tail``, ``…, middle of our front``: parts touch, without a verb."""
+    at = chunks[k].i
+    begin = next((m for m in range(k, 0, -1) if _closes(chunks, m - 1)), 0)
+    end = next((m for m in range(k, len(chunks)) if _closes(chunks, m)), len(chunks))
+    if (
+        chunks[k].value == "into"
+        and _of_bodies(chunks[begin:k])
+        and _of_bodies(chunks[k + 1 : end])
+    ):
+        return [Event("collide", at, at, "s", lemma="hit")]
+    if begin == k and _of_bodies(chunks[k:end]) and not chunks[k].has("possessive"):
+        return [Event("collide", at, at, "base", nominal=True), Term("prep", "in", at, at)]
+    return []
+
+
+def _closes(chunks: list[Chunk], k: int) -> bool:
+    return ends(chunks[k]) or chunks[k].value == ","
+
+
+def _of_bodies(chunks: list[Chunk]) -> bool:
+    """``the left end of the ego's front``: a part of somebody, and nothing else."""
+    parts = [c for c in chunks if not (isinstance(c, Mention) or c.value == "of")]
+    return bool(parts) and all(isinstance(c, Place) and c.kind in _BODY for c in parts)
 
 
 def _clause_opener(chunks: list[Chunk], k: int) -> Mention | None:
