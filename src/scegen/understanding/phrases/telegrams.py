@@ -11,8 +11,16 @@ from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.phrases.doings_named import noted, spell_out_doings, teller_at
-from scegen.understanding.phrases.lookahead import GOVERNING, cat_at, chunk_at, ends, value_at
-from scegen.understanding.words.terms import Term
+from scegen.understanding.phrases.lookahead import (
+    GOVERNING,
+    cat_at,
+    chunk_at,
+    ends,
+    free_mentions,
+    sentences,
+    value_at,
+)
+from scegen.understanding.words.terms import NOTHING, Term
 
 _WAYS = frozenset({("dir", "left"), ("dir", "right"), ("dir", "straight"), ("manner", "backwards")})
 _SEPARATORS = frozenset({",", "and", "but", "or", "while", "when", "as", "both"})
@@ -24,6 +32,7 @@ _UNDERGONE = frozenset({"park", "hide", "block", "collide", "locate", "follow", 
 """Verbs whose participle says what happened to somebody."""
 
 
+_STOPS = frozenset({".", ";", "!"})
 _BODY = frozenset({"side", "front", "flank", "portion", "middle"})
 
 
@@ -41,6 +50,7 @@ def spell_out(chunks: list[Chunk]) -> list[Chunk]:
         if isinstance(chunk, Place) and chunk.kind == "exit" and _clause_opener(chunks, k):
             found.append(Event("leave", chunk.i, chunk.i, "s"))  # "ego 3rd exit"
         found += _touching(chunks, k)
+        found += _of_the_same(chunk, found)
         found += _going(chunks, k) or [chunk]
     return found
 
@@ -196,6 +206,17 @@ def _going(chunks: list[Chunk], k: int) -> list[Chunk]:
     if any(m.cat == "state" for m in who.mods):
         return [Term("prep", "in", way.i, way.i), Place(way.i, way.j, [way], None, kind="side")]
     return [Event("move", way.i, way.j, "s", mods=[way], data={"drives": True})]
+
+
+def _of_the_same(verb: Chunk, before: list[Chunk]) -> list[Mention]:
+    """``A van follows us. Brakes hard.``: whom the sentence before is about."""
+    last = next((c for c in reversed(before) if c.cat not in {"manner", "conj"}), NOTHING)
+    if not isinstance(verb, Event) or verb.form != "s" or verb.nominal or last.value not in _STOPS:
+        return []
+    told = [free_mentions(before[begin:end]) for begin, end in sentences(before)]
+    about = next((named[0] for named in reversed(told) if named), None)
+    it = Mention(verb.i, verb.i, [], None, pronoun="it", same_as=about)
+    return [it] if about is not None else []
 
 
 def _touching(chunks: list[Chunk], k: int) -> list[Chunk]:
