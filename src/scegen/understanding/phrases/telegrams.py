@@ -195,8 +195,13 @@ def _named_doing(event: Event, chunks: list[Chunk], k: int) -> bool:
 
 
 def _going(chunks: list[Chunk], k: int) -> list[Chunk]:
-    """``ego straight``, ``ego in reverse``: goes there, backwards; ``parked van left``: stands."""
-    way = chunks[k]
+    """``ego straight``, ``ego in reverse``: goes there, backwards; ``parked van left``: stands.
+
+    So does ``van from the left lane into ours``.
+    """
+    way, lane = chunks[k], next((c for c in chunks[k + 1 : k + 3] if isinstance(c, Place)), None)
+    if way.value == "into" and lane is not None and lane.kind == "lane":
+        return [Event("move", way.i, way.i, "s"), way] if _clause_opener(chunks, k) else []
     if not isinstance(way, Term) or (way.cat, way.value) not in _WAYS:
         return []
     following, who = chunk_at(chunks, k + 1), _clause_opener(chunks, k)
