@@ -227,21 +227,14 @@ def _of_the_same(verb: Chunk, before: list[Chunk]) -> list[Mention]:
 def _touching(chunks: list[Chunk], k: int) -> list[Chunk]:
     """``our front into its tail``, ``…, middle of our front``: parts touch, without a verb."""
     at = chunks[k].i
-    begin = next((m for m in range(k, 0, -1) if _closes(chunks, m - 1)), 0)
-    end = next((m for m in range(k, len(chunks)) if _closes(chunks, m)), len(chunks))
-    if (
-        chunks[k].value == "into"
-        and _of_bodies(chunks[begin:k])
-        and _of_bodies(chunks[k + 1 : end])
-    ):
+    marks = [m for m, c in enumerate(chunks) if ends(c) or c.value == ","]
+    before = chunks[max((m + 1 for m in marks if m < k), default=0) : k]
+    after = chunks[k : min((m for m in marks if m >= k), default=len(chunks))]
+    if chunks[k].value == "into" and _of_bodies(before) and _of_bodies(after[1:]):
         return [Event("collide", at, at, "s", lemma="hit")]
-    if begin == k and _of_bodies(chunks[k:end]) and not chunks[k].has("possessive"):
+    if not before and _of_bodies(after):
         return [Event("collide", at, at, "base", nominal=True), Term("prep", "in", at, at)]
     return []
-
-
-def _closes(chunks: list[Chunk], k: int) -> bool:
-    return ends(chunks[k]) or chunks[k].value == ","
 
 
 def _of_bodies(chunks: list[Chunk]) -> bool:
