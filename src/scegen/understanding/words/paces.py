@@ -17,7 +17,6 @@ _LOWEST_BARE = 15
 """Lower numbers without a unit, after "at", are hours as well."""
 _SAID_REACH = 4
 _BESIDE = 3
-_VERSUS = frozenset({"against", "versus", "vs"})
 
 
 def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
@@ -59,11 +58,11 @@ def _its_speed(tokens: list[Token], i: int, j: int) -> bool:
     before = tokens[max(0, i - _SAID_REACH) : i]
     rated = any(t.low in word_list("pace_nouns") for t in before)
     rated = rated and before[-1].low in {"is", "was", "of", "="}
-    versus = any(t.low in _VERSUS for t in before) and before[-1].kind == "clitic"
+    versus = any(t.low in word_list("versus") for t in before) and before[-1].kind == "clitic"
     return (
         rated
         or versus
-        or (low_at(tokens, j) in _VERSUS and _says_speed(tokens, j, j + _SAID_REACH))
+        or (low_at(tokens, j) in word_list("versus") and _says_speed(tokens, j, j + _SAID_REACH))
     )
 
 
