@@ -34,9 +34,6 @@ from scegen.understanding.words.quantities import ends_a_quantity
 
 _BESIDE = frozenset({"overtake", "pass", "bypass", "undertake", "collide"})
 """With these verbs a side is where one gets past or is hit, and nobody comes from there."""
-_UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
-                       "merge", "enter", "follow", "move", "turn", "appear", "swerve",
-                       "pull_out", "collide"})  # fmt: skip
 _INTO = frozenset({"lane_change", "cut_in", "cut_off", "merge"})
 _ASIDE = frozenset({Maneuver.LANE_CHANGE, Maneuver.OVERTAKE})
 _PASSING = frozenset({"bypass", "overtake", "block"})
@@ -191,7 +188,7 @@ def _places(clause: Clause, context: Context) -> None:
         basis = Basis(prep.word.i, prep.word.j)
         if from_everywhere(prep):
             _spread(prep, clause.actors, context)
-        elif _from_behind(prep) and event.name in _UNDERWAY and met:
+        elif _from_behind(prep) and event.name in word_list("underway") and met:
             context.ahead(met[:1], clause.actors, basis)
         elif prep.on_mention is None or _starts(event, prep):
             turned = event.passive and event.name != "hide"
@@ -255,7 +252,7 @@ def _starts(event: Event, prep: Prep) -> bool:
     named = prep.on_mention
     target = named is not None and named not in event.subject
     goal = event.object.owner if isinstance(event.object, Place) else event.object
-    moved = event.name in _UNDERWAY and (goal is None or named in (goal, event.object))
+    moved = event.name in word_list("underway") and (goal is None or named in (goal, event.object))
     moved = moved and event.lemma != "meet"
     source = prep.value == "from" or (prep.outer == "from" and prep.target is None)
     return source and not (target and not moved)
