@@ -56,9 +56,10 @@ def _together(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[E
     if joined and len(joined) == count and "walks" not in mention.marks:
         return joined  # "a van and a bus drive ahead of the ego; both brake"
     others = [e for e in roster.entities if not e.ego and e not in exclude]
-    ego_acts = any(e.ego for e in (*roster.before, *roster.subject))
-    if mention.pronoun == "both" and number is None and len(others) == _TWO and not ego_acts:
-        return others  # "a van is ahead of us, a bus behind us; both drive 60 km/h"
+    apart = mention.pronoun == "both" and not any(e.ego for e in roster.before + roster.subject)
+    apart |= mention.pronoun == "they" and any("speaks" in e.named_by for e in roster.entities)
+    if apart and number is None and len(others) == _TWO:
+        return others  # "a van is ahead of us, a bus behind us; they drive 60 km/h"
     meant = roster.together(exclude)
     if number is not None and count != len(meant):
         people = [e for e in everybody(mention, roster.draft) if e not in exclude]
