@@ -11,6 +11,8 @@ from scegen.understanding.semantics.context import Context
 from scegen.understanding.semantics.lanes import EITHER, FROM_SIDE, SIDES, counted_from, lane_number
 from scegen.understanding.semantics.seen import SEEN, SEVERAL, Put, Site
 
+_OVER_THE_ROAD = frozenset({HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_CYCLIST})
+
 
 def _on_strip(entity: Entity, site: Site) -> None:
     """One who stands beside the lanes stands in nobody's way, and nobody overtakes it."""
@@ -70,8 +72,20 @@ def _crosses(entity: Entity, site: Site) -> None:
     if arm is None:
         return
     entity.crosses = entity.crosses or (arm, site.basis)
+    _meets(entity, road, site.context)
     if entity.kind is ParticipantKind.BICYCLE:
         site.context.draft.maneuver(entity, {Maneuver.CROSS}, site.basis)
+
+
+def _meets(entity: Entity, road: Place, context: Context) -> None:
+    """``the road that the truck turns into``: who crosses it meets the truck."""
+    if road.user is None or road.user.is_ego:
+        return
+    kinds = [h.value for h in road.user.heads]
+    users = [e for e in context.draft.entities if e.kind.value in kinds and e.moving_vehicle]
+    for danger in context.draft.dangers if len(users) == 1 else []:
+        if danger.kind in _OVER_THE_ROAD and danger.by == [entity] and not danger.to:
+            danger.to = users
 
 
 def _on_its_side(entity: Entity, site: Site) -> None:

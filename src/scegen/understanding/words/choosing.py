@@ -57,6 +57,17 @@ def _clause_follows(tokens: list[Token], j: int) -> bool:
     return False
 
 
+def _single_one(tokens: list[Token], j: int) -> bool:
+    """``ego and preceding car``: one of several would have an article, or a name, as an object."""
+    following = longest_match(tokens, j)
+    if following is None or not following.only("actor") or following.form != "base":
+        return False
+    mass = "mass" in following.get("actor").data
+    after = tokens[following.j] if following.j < len(tokens) else None
+    named = after is not None and after.kind in {"label", "number"}
+    return not mass and (not named or quantity_at(tokens, following.j) is not None)
+
+
 def is_adverb(token: Token) -> bool:
     """Whether a word ends like an adverb, or is one of time or place ("and later brakes")."""
     return token.low.endswith("ly") or token.low in word_list("adverbs")
@@ -85,7 +96,7 @@ def _verb_or_other(match: Match, tokens: list[Token], previous: Term) -> tuple[E
     attributive = _attributive(match, tokens, previous)
     if participle and before in {"conj", "sub", "punct"} and match.has("dir"):
         # "turning left and following vehicle B": without an article it is no adjective
-        attributive = _clause_follows(tokens, match.j)
+        attributive = _clause_follows(tokens, match.j) or _single_one(tokens, match.j)
     if match.has("place", "dir") and match.get("place").value == "junction":
         # "crossing" describes a vehicle or is what somebody does, unless it is a shaped one
         named = before in {"shape", "control", "det"} or _opens_noun(tokens, previous)
