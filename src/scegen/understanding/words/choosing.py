@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from scegen.understanding.lexicon import Entry, word_list
 from scegen.understanding.words.numbers import POSITIONS
+from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.terms import Match, Term, begins, longest_match, noun_follows
 from scegen.understanding.words.tokens import Token, low_at
 
