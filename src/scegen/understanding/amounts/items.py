@@ -21,8 +21,6 @@ _MOST = 5
 _NEAR = 4
 _SIDES = frozenset(Side)
 _HIDING = frozenset({"behind", "between", "by", "from", "due"})
-_VERBS = frozenset({"hide", "block", "cross", "walk", "appear", "move", "enter", "wait", "locate",
-                    "pull_out", "stop", "dash", "encounter", "overlook"})  # fmt: skip
 
 
 def read_items(text: Telling) -> None:
@@ -130,7 +128,7 @@ def item_of(thing: Thing, text: Telling) -> Item:
 def _hidden(thing: Thing, words: Basis, text: Telling) -> list[Entity]:
     """Whom a thing hides: whom the verb names, or who is behind it."""
     i, j = words.i or 0, words.j or 0
-    here = [s for s in text.within(*text.bounds(i)) if s.event.name in _VERBS]
+    here = [s for s in text.within(*text.bounds(i)) if s.event.name in word_list("beside_things")]
     for scene in here:
         if any(_behind(p, thing) for p in scene.event.pps):
             return [e for e in (scene.actors or scene.targets) if not e.ego]

@@ -35,7 +35,8 @@ def sets_off(figure: Figure) -> bool:
     when = clause if opened else None
     if thing is not None:
         return _before_a_thing(figure, thing, when)
-    before = word in {"before", "short"} and isinstance(noun, Mention)
+    before = isinstance(noun, Mention) and not noun.stands_after("ahead")
+    before = before and word in {"before", "short"}
     if not (opened or line is not None or before):
         return False
     doing = _main(figure, when) or (_starts_crossing(figure) if opened else None)

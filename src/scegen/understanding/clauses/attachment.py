@@ -218,6 +218,7 @@ def _head_of(prep: Prep, state: State) -> Mention | None:
     if (head := _placed_by(inner, state)) is not None:
         side = state.at(2)  # "the ego is behind a van in the lane to its left": the van is there
         aside = isinstance(side, Place) and side.has("possessive")
+        aside |= any(p.value == "adjacent" for p in head.pps)  # "the ego is beside a van in …"
         return None if head.is_ego and aside else head
     if verb is None or not ego or not verb.subject:
         return None

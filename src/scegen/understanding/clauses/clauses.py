@@ -16,6 +16,7 @@ from scegen.understanding.clauses.dependents import chain
 from scegen.understanding.clauses.further import close_relative
 from scegen.understanding.clauses.nominals import read_mention, read_noun
 from scegen.understanding.clauses.state import State
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import (
     ADVERBS,
     BOUNDARIES,
@@ -236,7 +237,7 @@ class ClauseReader:
             event = Event(mod.value, mod.i, mod.j, mod.form, subject=[mention])
             event.premod_of = mention
             event.mods = [m for m in mention.ways if m.j == mod.i]
-            event.passive = mod.form == "ed" and mod.value in subjects.PASSIVE - {"hide"}
+            event.passive = mod.form == "ed" and mod.value in word_list("done_to") - {"hide"}
             event.sentence = self._sentence
             self.events.append(event)
 

@@ -128,9 +128,6 @@ def further_ones(mention: Mention, state: State) -> bool:
 
 
 _ITS = frozenset({"it", "him", "they"})
-_DONE_TO_SOMEBODY = frozenset({"follow", "overtake", "pass", "bypass", "tailgate", "encounter",
-                               "approach", "avoid", "collide", "cut_off", "undertake", "hide",
-                               "overlook"})  # fmt: skip
 _REACH = 4
 
 
@@ -197,7 +194,7 @@ def _acts(state: State) -> bool:
     for n, chunk in enumerate(state.after(_REACH), start=1):
         if isinstance(chunk, Event):
             free = not isinstance(state.at(n + 1), Mention)
-            return chunk.name in _DONE_TO_SOMEBODY and free and not chunk.nominal
+            return chunk.name in word_list("done_to_somebody") and free and not chunk.nominal
         if not isinstance(chunk, Term) or chunk.cat not in {"aux", "manner", "neg"}:
             return False
     return False

@@ -6,6 +6,7 @@ from typing import TypeGuard
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.clauses.state import State
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import (
     GOVERNING,
     behind_insertion,
@@ -110,9 +111,6 @@ RESTING = frozenset({("park", "ed"), ("park", "ing"), ("wait", "ing"), ("stop", 
 """How who stands is described: "behind a bus standing at a stop"."""
 _ROADS = frozenset({"leg", "road"})
 """Roads, if it is said which one: "from the right arm", "on the road that it turns into"."""
-_MEETING = frozenset({"move", "approach", "appear", "locate", "wait", "stop", "park", "hide",
-                      "walk", "cross", "follow", "brake", "slow"})  # fmt: skip
-"""Verbs that may stand before their subject ("from the left comes a bus")."""
 
 
 def opens_clause(state: State) -> bool:
@@ -158,7 +156,7 @@ def opens_clause(state: State) -> bool:
 def _stands_before_subject(chunks: list[Chunk], m: int) -> bool:
     verb = chunk_at(chunks, m)
     finite = isinstance(verb, Event) and not verb.nominal and verb.form != "ing"
-    return finite and isinstance(verb, Event) and verb.name in _MEETING
+    return finite and isinstance(verb, Event) and verb.name in word_list("before_their_subject")
 
 
 def _word_of(chunks: list[Chunk], m: int, classes: frozenset[str]) -> bool:

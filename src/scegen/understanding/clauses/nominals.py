@@ -107,7 +107,7 @@ def _goes_on_with(verb: Event, state: State) -> bool:
 def _carried(verb: Event, mention: Mention, state: State) -> None:
     """``a lane change brings the ego into the left lane``: it changes lanes, into that one."""
     doing = next((e for e in state.events if e.nominal and not e.subject), None)
-    if "carries" in verb.data and doing is not None:
+    if "carries" in verb.data and doing is not None and not doing.negated:
         _done_by(doing, mention)
         verb.name, verb.object = "inert", None
         state.events.remove(verb)

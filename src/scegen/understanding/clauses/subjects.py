@@ -17,17 +17,9 @@ from scegen.understanding.clauses.dependents import (
 from scegen.understanding.clauses.further import antecedent, is_closed, located, told
 from scegen.understanding.clauses.located import RESTING
 from scegen.understanding.clauses.state import State
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.doings_named import teller_at
 from scegen.understanding.phrases.lookahead import main_verb_follows
-
-PASSIVE = frozenset(
-    {"collide", "leave", "cut_off", "block", "follow", "overtake", "bypass", "hide", "tailgate",
-     "cause", "prevent", "precede", "encounter", "overlook", "pass", "cut_in", "avoid", "approach",
-     "undertake", "enter", "use", "door", "chase", "harm", "send", "yield", "breach", "obey"}
-)  # fmt: skip
-
-_DESCRIBING = PASSIVE - {"enter", "leave", "use", "approach", "pass", "send"} | {"locate", "park"}
-"""Verbs whose participle describes a noun ("a man hidden behind a van")."""
 
 _PASSING = frozenset({"overtake", "bypass", "pass"})
 _OF_PARTS = frozenset({"collide", "appear", "approach", "swerve"})  # and so of whom they are
@@ -68,13 +60,18 @@ def _link(event: Event, state: State) -> None:
     if parent is not None and parent.control == "object" and event.form == "base":
         event.finite = event.finite and helped  # "lets them cross": no clause of its own
     be = "aux:be" in state.between
-    if event.form == "base" and be and event.name in PASSIVE and not state.awaits("to"):
+    if (
+        event.form == "base"
+        and be
+        and event.name in word_list("done_to")
+        and not state.awaits("to")
+    ):
         event.form = "ed"  # "is cut off", "was hit": the participle looks like the base form
     if event.reduced and event.form == "ed" and not helped:
         event.finite = False
-        event.passive = event.name in _DESCRIBING & PASSIVE
+        event.passive = event.name in word_list("describing") & word_list("done_to")
         return
-    if event.form == "ed" and event.name in PASSIVE:
+    if event.form == "ed" and event.name in word_list("done_to"):
         event.passive = be
     if event.finite and event.subject:
         state.main = event.subject
@@ -86,17 +83,17 @@ def before_by(event: Event) -> None:
     """``…, obstructed by a van``: a participle with "by" after it is passive."""
     crossed = event.name == "cross" and event.object is not None and not event.subject
     participle = event.form == "ed" or (event.form == "base" and event.name == "collide")  # "hit"
-    if participle and not event.nominal and (crossed or event.name in PASSIVE):
+    if participle and not event.nominal and (crossed or event.name in word_list("done_to")):
         event.passive = True
 
 
 def _said_of_a_thing(event: Event, state: State) -> None:
     """``the view is blocked by a van``: nobody acts but who stands after "by"."""
     topic, state.topic = state.topic, None
-    passive = event.form == "ed" or (event.form == "base" and event.name in PASSIVE)
+    passive = event.form == "ed" or (event.form == "base" and event.name in word_list("done_to"))
     if "aux:be" in state.between:
         if passive:
-            event.passive, event.object = event.name in PASSIVE, topic
+            event.passive, event.object = event.name in word_list("done_to"), topic
     elif topic is not None and (event.name in _OF_PARTS or state.at(1).value == "into"):
         its = state.main if topic.has("possessive", "its") else []
         its = [teller_at(topic.i)] if topic.has("possessive", "first_person") else its
@@ -157,7 +154,7 @@ def _past_being(event: Event, state: State) -> bool:
     if not {"rel", "aux:be"} <= state.between or "," in state.between:
         return False
     helped = bool({"aux:do", "aux:will", "aux:can", "aux:modal", "aux:shall"} & state.between)
-    beside = state.mentions[-1:] != [state.candidate] and event.name not in PASSIVE
+    beside = state.mentions[-1:] != [state.candidate] and event.name not in word_list("done_to")
     return helped or event.form == "s" or (event.form == "ed" and beside)
 
 
@@ -240,7 +237,7 @@ def _noun_described(event: Event, state: State) -> Mention | None:
     if not isinstance(noun, Mention) or noun.prep is None or noun.j != event.i:
         return None
     rests = bool(state.fronted) and (event.name, event.form) in RESTING
-    return noun if rests or (event.form == "ed" and event.name in _DESCRIBING) else None
+    return noun if rests or (event.form == "ed" and event.name in word_list("describing")) else None
 
 
 def only_describes(event: Event, state: State) -> bool:

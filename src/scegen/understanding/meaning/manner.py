@@ -62,10 +62,6 @@ _BY_MANNER = {
     "out_of_control": HazardKind.LOSS_OF_CONTROL,
     "out_of_turn": HazardKind.FAILURE_TO_YIELD,
 }
-_COMING = frozenset({"move", "approach", "appear", "enter", "speed", "accelerate", "collide",
-                     "overtake"})  # fmt: skip
-_TRAVEL = frozenset({"move", "approach", "enter", "merge", "turn", "cross", "follow", "overtake",
-                     "bypass", "leave", "lane_change", "accelerate", "speed", "try"})  # fmt: skip
 
 
 def told_by(term: Term, entities: list[Entity], context: Context) -> None:
@@ -90,7 +86,7 @@ def told_by(term: Term, entities: list[Entity], context: Context) -> None:
 def told_with(clause: Clause, context: Context) -> None:
     """``drives northbound``, ``approaches head-on``, ``backs out slowly``."""
     event = clause.event
-    travels = event.name in _TRAVEL
+    travels = event.name in word_list("travelling")
     for term in event.mods:
         if term.cat == "compass":
             placing.heading(term, clause.actors)
@@ -112,7 +108,7 @@ def _meet_head_on(term: Term, clause: Clause, context: Context) -> None:
     """``a motorcycle approaches head-on``: who collides so has come from the front, too."""
     several = len(clause.drivers) > 1 and not clause.targets  # "two trucks meet head-on"
     whom = clause.drivers[:1] if several else clause.targets
-    for entity in clause.drivers if several or clause.event.name in _COMING else []:
+    for entity in clause.drivers if several or clause.event.name in word_list("meeting") else []:
         to = next((e for e in whom if e.moving_vehicle), None)
         context.draft.place(entity, to, {Approach.OPPOSITE}, Basis(term.i, term.j))
 
@@ -182,10 +178,6 @@ def too_fast(draft: Draft, limit_mps: float | None) -> None:
             draft.hazard(HazardKind.SPEEDING, basis, [entity])
 
 
-_GOING = frozenset({"move", "turn", "enter", "cross", "pull_out", "cut_in", "accelerate", "leave",
-                    "sharp_turn", "speed", "breach", "dash"})  # fmt: skip
-
-
 def out_of_turn(chunks: list[Chunk], events: list[Event], context: Context) -> None:
     """``the ego was at the four-way stop first, but the van goes``: the van had to wait."""
     tokens = context.tokens
@@ -195,7 +187,9 @@ def out_of_turn(chunks: list[Chunk], events: list[Event], context: Context) -> N
     who = _who(at, chunks)
     for event in events:
         drivers = [e for e in event.doers if e.moving_vehicle]
-        goes = event.finite and event.name in _GOING and not (event.negated or event.modal)
+        goes = (
+            event.finite and event.name in word_list("goes") and not (event.negated or event.modal)
+        )
         if who and goes and drivers and not any(e in who for e in drivers):
             basis = Basis(event.i, event.j)
             context.draft.hazard(HazardKind.FAILURE_TO_YIELD, basis, drivers, who)

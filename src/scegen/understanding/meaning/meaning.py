@@ -34,9 +34,6 @@ from scegen.understanding.words.quantities import ends_a_quantity
 
 _BESIDE = frozenset({"overtake", "pass", "bypass", "undertake", "collide"})
 """With these verbs a side is where one gets past or is hit, and nobody comes from there."""
-_UNDERWAY = frozenset({"overtake", "bypass", "pass", "cut_in", "cut_off", "approach", "cross",
-                       "merge", "enter", "follow", "move", "turn", "appear", "swerve",
-                       "pull_out", "collide"})  # fmt: skip
 _INTO = frozenset({"lane_change", "cut_in", "cut_off", "merge"})
 _LONGEST = 4
 """Words of a conjunction."""
@@ -123,7 +120,11 @@ def _then(who: Mention, events: list[Event], context: Context) -> list[Prep]:
         " ".join(context.lows(k, who.i)) in word_list("triggers")
         for k in range(max(0, who.i - _LONGEST), who.i)
     )
-    own = told is not None and told.name in _UNDERWAY | _INTO and {*who.entities} & {*told.doers}
+    own = (
+        told is not None
+        and told.name in word_list("underway") | _INTO
+        and {*who.entities} & {*told.doers}
+    )
     return [p for p in who.pps if p.predicate and p.value == "ahead"] if when and own else []
 
 
@@ -207,7 +208,7 @@ def _places(clause: Clause, context: Context) -> None:
         basis = Basis(prep.word.i, prep.word.j)
         if from_everywhere(prep):
             _spread(prep, clause.actors, context)
-        elif _from_behind(prep) and event.name in _UNDERWAY and met:
+        elif _from_behind(prep) and event.name in word_list("underway") and met:
             context.ahead(met[:1], clause.actors, basis)
         elif prep.on_mention is None or _starts(event, prep):
             turned = event.passive and event.name != "hide"
@@ -271,7 +272,7 @@ def _starts(event: Event, prep: Prep) -> bool:
     named = prep.on_mention
     target = named is not None and named not in event.subject
     goal = event.object.owner if isinstance(event.object, Place) else event.object
-    moved = event.name in _UNDERWAY and (goal is None or named in (goal, event.object))
+    moved = event.name in word_list("underway") and (goal is None or named in (goal, event.object))
     moved = moved and event.lemma != "meet"
     source = prep.value == "from" or (prep.outer == "from" and prep.target is None)
     return source and not (target and not moved)

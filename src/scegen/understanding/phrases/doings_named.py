@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import (
     BOUNDARIES,
     GOVERNING,
@@ -19,9 +20,6 @@ from scegen.understanding.phrases.nominal import WAYS
 from scegen.understanding.words.terms import NOTHING, Term
 from scegen.understanding.words.tokens import Token
 
-_ENTERED = frozenset({"brake", "hard_brake", "slow", "stop", "overtake", "accelerate", "cut_in",
-                      "lane_change", "merge", "swerve", "u_turn"})  # fmt: skip
-"""Doings that an entry of notes names after the one that tells who it is about."""
 _HOW = frozenset({"prep", "quantity", "manner", "dir", "punct", "sub"})
 DONE_TO = frozenset({"overtake", "pass", "bypass", "follow", "encounter"})
 """Doings of which "of" names whom they are done to."""
@@ -109,7 +107,7 @@ def _last_told(k: int, chunks: list[Chunk]) -> Mention | None:
     An entry has no verb; what follows the noun of the doing is a measure or a phrase of place.
     """
     event, mark, told = chunks[k], chunk_at(chunks, k - 1), None
-    if not isinstance(event, Event) or event.name not in _ENTERED:
+    if not isinstance(event, Event) or event.name not in word_list("entered"):
         return None
     bare = all(m.cat == "manner" for m in event.mods)
     if not bare or mark is NOTHING or cat_at(chunks, k + 1) not in _HOW:
@@ -144,9 +142,6 @@ def _group(m: int, chunks: list[Chunk]) -> tuple[str, list[Chunk], int] | None:
 _DOINGS = frozenset({"cut_in", "lane_change", "merge", "lose_control", "obey", "breach"})
 _BREACHES = frozenset({"obey", "breach", "stop", "yield"})
 _UNSAFE = frozenset({"cut_in", "lane_change", "merge", "hard_brake", "swerve", "cut_off"})
-_SIDEWAYS = frozenset({"move", "enter", "swerve", "walk", "return", "dash", "merge", "cut_in",
-                       "lane_change", "sharp_turn", "speed", "accelerate", "turn",
-                       "leave"})  # fmt: skip
 _LONGEST = 10
 
 
@@ -201,7 +196,7 @@ def _who(doing: Event, told: list[Event]) -> list[Mention]:
     others = [e for e in told if not any(m.is_ego for m in e.subject)]
     if doing.name == "lose_control":
         return next((e.subject for e in sorted(told, key=lambda e: not e.finite)), [])
-    goal = next((e for e in told if e.name in _SIDEWAYS and _leads_into(e)), None)
+    goal = next((e for e in told if e.name in word_list("leading_aside") and _leads_into(e)), None)
     if goal is not None:
         return goal.subject
     return others[0].subject if others and doing.name == "cut_in" else []

@@ -15,9 +15,6 @@ from scegen.understanding.words.tokens import Token, low_at
 _OPENERS = frozenset({",", "and", "but", "while", "when", "(", ":"})
 _ENDS = frozenset({",", "and", "but", "while", "when", "(", ")", "before", "or",
                    "in", "from", "into"})  # fmt: skip
-_ITS_OWN = frozenset({"move", "turn", "u_turn", "sharp_turn", "light", "cross", "leave", "use",
-                      "lane_change", "merge", "swerve", "try", "pull_out"})  # fmt: skip
-"""Verbs that a direction after a comma belongs to."""
 _HOLDING = frozenset({"match", "follow", "use", "move", "light", "unknown", "try"})
 _BETWEEN = frozenset({"manner", "noted", "inert", "unknown"})
 
@@ -50,7 +47,7 @@ def _predicative(chunks: list[Chunk], k: int) -> bool:
 
 def _has_verb(word: Term, events: list[Event]) -> bool:
     """Whether the direction already says which way some verb leads."""
-    return any(word in e.mods and e.name in _ITS_OWN for e in events)
+    return any(word in e.mods and e.name in word_list("with_a_direction") for e in events)
 
 
 def _whose(chunks: list[Chunk], k: int, events: list[Event]) -> list[Mention]:

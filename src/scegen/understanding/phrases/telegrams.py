@@ -19,9 +19,10 @@ from scegen.understanding.phrases.lookahead import (
     ends,
     free_mentions,
     sentence_end,
+    sentences,
     value_at,
 )
-from scegen.understanding.words.terms import Term
+from scegen.understanding.words.terms import NOTHING, Term
 
 _WAYS = frozenset({("dir", "left"), ("dir", "right"), ("dir", "straight"), ("manner", "backwards")})
 _SEPARATORS = frozenset({",", "and", "but", "or", "while", "when", "as", "both"})
@@ -33,6 +34,10 @@ _ARTICLES = ("det", "num", "possessive", "quant")
 _UNDERGONE = frozenset({"park", "hide", "block", "collide", "locate", "follow", "overtake",
                         "encounter", "cut_off", "cut_in", "cause", "prevent"})  # fmt: skip
 """Verbs whose participle says what happened to somebody."""
+
+
+_STOPS = frozenset({".", ";", "!"})
+_BODY = frozenset({"side", "front", "flank", "portion", "middle"})
 
 
 def spell_out(chunks: list[Chunk]) -> list[Chunk]:
@@ -50,6 +55,8 @@ def spell_out(chunks: list[Chunk]) -> list[Chunk]:
             found.append(teller_at(chunk.i))
         if isinstance(chunk, Place) and chunk.kind == "exit" and _clause_opener(chunks, k):
             found.append(Event("leave", chunk.i, chunk.i, "s"))  # "ego 3rd exit"
+        found += _touching(chunks, k)
+        found += _of_the_same(chunk, found)
         found += _going(chunks, k) or [chunk]
     return found
 
@@ -197,8 +204,13 @@ def _named_doing(event: Event, chunks: list[Chunk], k: int) -> bool:
 
 
 def _going(chunks: list[Chunk], k: int) -> list[Chunk]:
-    """``ego straight``, ``ego in reverse``: goes there, backwards; ``parked van left``: stands."""
-    way = chunks[k]
+    """``ego straight``, ``ego in reverse``: goes there, backwards; ``parked van left``: stands.
+
+    So does ``van from the left lane into ours``.
+    """
+    way, lane = chunks[k], next((c for c in chunks[k + 1 : k + 3] if isinstance(c, Place)), None)
+    if way.value == "into" and lane is not None and lane.kind == "lane":
+        return [Event("move", way.i, way.i, "s"), way] if _clause_opener(chunks, k) else []
     if not isinstance(way, Term) or (way.cat, way.value) not in _WAYS:
         return []
     following, who = chunk_at(chunks, k + 1), _clause_opener(chunks, k)
@@ -208,6 +220,36 @@ def _going(chunks: list[Chunk], k: int) -> list[Chunk]:
     if any(m.cat == "state" for m in who.mods):
         return [Term("prep", "in", way.i, way.i), Place(way.i, way.j, [way], None, kind="side")]
     return [Event("move", way.i, way.j, "s", mods=[way], data={"drives": True})]
+
+
+def _of_the_same(verb: Chunk, before: list[Chunk]) -> list[Mention]:
+    """``A van follows us. Brakes hard.``: whom the sentence before is about."""
+    last = next((c for c in reversed(before) if c.cat not in {"manner", "conj"}), NOTHING)
+    if not isinstance(verb, Event) or verb.form != "s" or verb.nominal or last.value not in _STOPS:
+        return []
+    told = [free_mentions(before[begin:end]) for begin, end in sentences(before)]
+    about = next((named[0] for named in reversed(told) if named), None)
+    it = Mention(verb.i, verb.i, [], None, pronoun="it", same_as=about)
+    return [it] if about is not None else []
+
+
+def _touching(chunks: list[Chunk], k: int) -> list[Chunk]:
+    """``our front into its tail``, ``…, middle of our front``: parts touch, without a verb."""
+    at = chunks[k].i
+    marks = [m for m, c in enumerate(chunks) if ends(c) or c.value == ","]
+    before = chunks[max((m + 1 for m in marks if m < k), default=0) : k]
+    after = chunks[k : min((m for m in marks if m >= k), default=len(chunks))]
+    if chunks[k].value == "into" and _of_bodies(before) and _of_bodies(after[1:]):
+        return [Event("collide", at, at, "s", lemma="hit")]
+    if not before and _of_bodies(after):
+        return [Event("collide", at, at, "base", nominal=True), Term("prep", "in", at, at)]
+    return []
+
+
+def _of_bodies(chunks: list[Chunk]) -> bool:
+    """``the left end of the ego's front``: a part of somebody, and nothing else."""
+    parts = [c for c in chunks if not (isinstance(c, Mention) or c.value == "of")]
+    return bool(parts) and all(isinstance(c, Place) and c.kind in _BODY for c in parts)
 
 
 def _clause_opener(chunks: list[Chunk], k: int) -> Mention | None:

@@ -15,7 +15,6 @@ from scegen.understanding.clauses.located import is_it
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.mention_words import is_pronoun, tells
 from scegen.understanding.reference.own_vehicles import (
-    ONLY_VEHICLES,
     is_one_vehicle,
     open_from_inside,
     stand_for_vehicles,
@@ -23,8 +22,6 @@ from scegen.understanding.reference.own_vehicles import (
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
-_UNDERWAY = frozenset({"use", "enter", "bypass", "pass", "move", "turn", "leave", "approach",
-                       "follow", "speed", "collide"})  # fmt: skip
 _FROM_REST, _AWAY = frozenset({"unpark", "door"}), frozenset({"off", "away"})
 _AT_SPEED = frozenset({"collide", "speed", "lose_control"})
 _AGAIN = (
@@ -88,7 +85,7 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     across = event.name == "cut_in" and tokens[event.j - 1].low == "across"
     afoot = mention.head is not None and "afoot" in mention.head.data
     springs = afoot and event.lemma in word_list("springing")  # "a boy bursts out of a gap"
-    only = event.name in ONLY_VEHICLES and not (across or springs)
+    only = event.name in word_list("only_driven") and not (across or springs)
     alone = "drives" in event.data or only or _takes_a_turn(event)
     vague = mention.head is not None and "vague" in mention.head.data
     turns = vague or event.name in {"turn", "sharp_turn"}
@@ -96,7 +93,7 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     turns = turns or ((_person(mention) or vague) and _in_traffic(event))
     turns = turns or (vague and not event.passive and _at_the_wheel(mention, event, tokens))
     it = mention.pronoun == "it" and tokens[mention.i].low == "it"
-    turns = turns or (it and event.name in _UNDERWAY and not event.passive)
+    turns = turns or (it and event.name in word_list("not_from_rest") and not event.passive)
     away = event.name == "leave" and event.object is None and tokens[event.j - 1].low in _AWAY
     at_rest = event.name in {"wait", "stop"} and event.lemma in word_list("standing")
     told = 0 <= event.i - mention.j <= 1 and not event.finite and not event.nominal
@@ -254,7 +251,7 @@ def _at_the_wheel(mention: Mention, event: Event, tokens: list[Token]) -> bool:
     light = isinstance(event.object, Place) and event.object.kind in {"signal", "stop_sign"}
     if light and event.lemma in word_list("jumping"):
         return True  # "runs a red light"
-    if event.name not in _UNDERWAY | _AT_SPEED or aside:
+    if event.name not in word_list("not_from_rest") | _AT_SPEED or aside:
         return False
     at = [p.target for p in event.pps if tokens[p.word.i].low in word_list("at_somebody")]
     at += [event.object] if words & word_list("towards") else []

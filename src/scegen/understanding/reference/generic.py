@@ -110,10 +110,6 @@ def _only_the_scene(mention: Mention, k: int, chunks: list[Chunk]) -> bool:
     return False
 
 
-_OWED = frozenset({"yield", "stop", "brake", "slow", "wait", "turn", "move", "u_turn", "obey",
-                   "inert", "leave", "swerve", "lane_change", "accelerate",
-                   "reverse"})  # fmt: skip
-"""What is told of everybody when nobody does it."""
 _UNDONE = frozenset({"hide", "block", "encounter", "react", "avoid"})
 """What is not done if nothing does it; it is told of nobody in particular."""
 _ASKED = frozenset({"inert", "try", "encounter", "light"})
@@ -127,7 +123,7 @@ def deny_of_everybody(events: list[Event]) -> None:
         nobody = event.name in _LETTING_BY and any(m.pronoun == "nobody" for m in whom)
         event.negated = event.negated or nobody  # "gives way to nobody"
         named = [m for m in event.subject if m.negated or m.pronoun in _NONE]
-        verbal = not event.nominal and event.name in _OWED | _UNDONE
+        verbal = not event.nominal and event.name in word_list("owed") | _UNDONE
         if not named or not verbal or event.form == "ing":
             continue
         if event.name in _UNDONE:

@@ -13,15 +13,9 @@ from scegen.understanding.reference.mention_words import KINDS, mine, tells
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
-ONLY_VEHICLES = frozenset(
-    {"brake", "hard_brake", "overtake", "merge", "lane_change", "accelerate", "tailgate", "cut_off",
-     "cut_in", "pull_out", "park", "swerve", "u_turn", "pull_over", "undertake", "unpark",
-     "door", "reverse"}
-)  # fmt: skip
 _BY_TRADE = frozenset({"bus", "truck", "van", "car", "emergency_vehicle", "motorcycle", "bicycle"})
 _ENDS = frozenset({"ahead", "behind"})
 _STEERED = frozenset({"move", "turn", "u_turn", "stop", "slow", "brake", "park", "swerve"})
-_DRIVEN = ONLY_VEHICLES | _STEERED | {"speed", "lose_control"}
 
 
 def whole_for_part(chunks: list[Chunk], _: object) -> list[Chunk]:
@@ -57,7 +51,11 @@ def _own_vehicles(events: list[Event]) -> None:
         what = event.object
         if event.name == "lose_control":
             what = next((p.who for p in event.pps if p.value == "of" and p.who is not None), None)
-        if not isinstance(what, Mention) or not event.subject or event.name not in _DRIVEN:
+        if (
+            not isinstance(what, Mention)
+            or not event.subject
+            or event.name not in word_list("driven")
+        ):
             continue
         who = event.subject[-1]
         driven = event.lemma in word_list("operating") or event.name == "reverse"
@@ -115,13 +113,13 @@ def _may_ride(mention: Mention) -> bool:
 def _own_people(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
     """``my wife brakes``: at the wheel, if the teller is not; ``my wife screams``: aboard."""
     own = [(e, m) for e in events for m in e.subject if tells(m)]
-    drives = any(tokens[m.i].low == "i" or e.name in ONLY_VEHICLES for e, m in own)
+    drives = any(tokens[m.i].low == "i" or e.name in word_list("only_driven") for e, m in own)
     drives |= any(isinstance(c, Mention) and tokens[c.i].low == "me" for c in chunks)
     for who in [c for c in chunks if isinstance(c, Mention) and c.opened_by("first_person")]:
         if tokens[who.j - 1].low not in word_list("relatives") or who.pps or who.prep:
             continue
         done = [e for e in events if who in e.subject]
-        steers = any(e.name in _DRIVEN or "drives" in e.data for e in done)
+        steers = any(e.name in word_list("driven") or "drives" in e.data for e in done)
         at_wheel = steers and "walks" not in who.marks
         if at_wheel and not drives:
             wheel = Term("actor", "ego", who.i, who.j, data={"ego": True})
@@ -234,7 +232,7 @@ def teller_goes_by(
     cycles = any(_cycles(e) for e in own) or _rides(tokens, others=bool(ridden))
     if ParticipantKind.BICYCLE in mines or cycles:
         return ParticipantKind.BICYCLE
-    if any(e.name in ONLY_VEHICLES for e in own):
+    if any(e.name in word_list("only_driven") for e in own):
         return next(iter(mines), None)
     afoot = any(_afoot(e) for e in own) or any(_on_foot(m, tokens) for m in mentions)
     return ParticipantKind.PEDESTRIAN if afoot else next(iter(mines), None)

@@ -55,6 +55,11 @@ def _together(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[E
     count = int(number.data["number"]) if number is not None else count
     if joined and len(joined) == count and "walks" not in mention.marks:
         return joined  # "a van and a bus drive ahead of the ego; both brake"
+    others = [e for e in roster.entities if not e.ego and e not in exclude]
+    apart = mention.pronoun == "both" and not any(e.ego for e in roster.before + roster.subject)
+    apart |= mention.pronoun == "they" and any("speaks" in e.named_by for e in roster.entities)
+    if apart and number is None and len(others) == _TWO:
+        return others  # "a van is ahead of us, a bus behind us; they drive 60 km/h"
     meant = roster.together(exclude)
     if number is not None and count != len(meant):
         people = [e for e in everybody(mention, roster.draft) if e not in exclude]

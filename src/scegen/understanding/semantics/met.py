@@ -122,9 +122,6 @@ FACTS = {
 
 
 _BODY = frozenset({"side", "flank"})
-_MOTION = frozenset({"move", "walk", "speed", "enter", "reverse", "turn", "sharp_turn", "swerve",
-                     "lose_control", "pull_out", "accelerate", "brake", "slow", "dash", "cross",
-                     "lane_change", "pull_over", "return", "collide", "unknown"})  # fmt: skip
 
 _NOBODY = frozenset({"nobody", "neither"})
 _ROADWARDS = frozenset({"turn", "sharp_turn", "pull_out"})
@@ -136,7 +133,7 @@ def goal_of_contact(clause: Clause, context: Context) -> NounPhrase | None:
     event, tokens = clause.event, context.tokens
     part = event.object  # "plants its bonnet in a van"
     own = isinstance(part, Place) and part.kind in _BODY and part.has("possessive", "its")
-    if (event.name not in _MOTION and not own) or event.nominal:
+    if (event.name not in word_list("in_motion") and not own) or event.nominal:
         return None
     opening = {"into", *(["in"] if own or event.lemma in word_list("ending_up") else [])}
     if event.name not in {"turn", "sharp_turn"}:  # "turns left against oncoming traffic"

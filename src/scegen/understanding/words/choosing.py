@@ -139,6 +139,8 @@ def _must_be_verb(match: Match, tokens: list[Token], previous: Term) -> bool:
         return not noun_follows(tokens, match.j)
     if match.form != "s":
         return False
+    if (previous.cat, tokens[previous.i].text) == ("det", "A"):
+        return True  # "A brakes, B follows": no article, before a plural
     headed = low_at(tokens, previous.j - 1) in {"way", "direction"}
     if previous.cat in {"dir", "compass"} and headed:
         return True  # "a car coming the other way brakes"

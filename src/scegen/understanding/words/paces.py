@@ -10,7 +10,7 @@ from scegen.understanding.words.quantities import Quantity, as_written, in_unit,
 from scegen.understanding.words.terms import begins, longest_match
 from scegen.understanding.words.tokens import Token, low_at
 
-_CLOSED = ("conj", "sub", "rel", "prep", "locus", "verb", "dir")
+_CLOSED = ("conj", "sub", "rel", "prep", "locus", "verb", "dir", "quant")
 """Classes of words that go on after a number without a unit; nouns would be counted by it."""
 _FEWEST, _MOST = 3, 200
 _LOWEST_BARE = 15
@@ -25,16 +25,18 @@ def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
     Else in the one that is usual there.
     """
     number = number_at(tokens, i)
-    rated = number is not None and _its_speed(tokens, i)
+    rated = number is not None and _its_speed(tokens, i, i + number.length)
     if number is None or not (_FEWEST < number.value <= _MOST or (rated and not number.value)):
         return None
     j = i + number.length
+    led = {t.low for t in tokens[_led_by(tokens, i) : i]}
     told = (
         doing(tokens, i)
-        or low_at(tokens, i - 1) in word_list("at_a_speed")
+        or not led.isdisjoint(word_list("at_a_speed"))
         or (low_at(tokens, i - 1) == "to" and low_at(tokens, i - 2) in word_list("comes_to"))
+        or (low_at(tokens, i - 1), low_at(tokens, j)) == ("from", "to")
         or rated
-        or _likewise(tokens, i, j)
+        or _beside_who(tokens, i, j, number.value)
     )
     ends = j >= len(tokens) or tokens[j].kind == "punct" or begins(tokens, j, *_CLOSED)
     if not (told and ends):
@@ -51,27 +53,39 @@ def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
     return replace(found, note=note) if found is not None else None
 
 
-def _its_speed(tokens: list[Token], i: int) -> bool:
-    """``its own speed is 120``, ``100 km/h against the ego's 80``: a speed without its unit."""
+def _its_speed(tokens: list[Token], i: int, j: int) -> bool:
+    """``its own speed is 120``, ``100 km/h against the ego's 80``, ``120 against our 80 km/h``."""
     before = tokens[max(0, i - _SAID_REACH) : i]
     rated = any(t.low in word_list("pace_nouns") for t in before)
     rated = rated and before[-1].low in {"is", "was", "of", "="}
-    versus = any(t.low in {"against", "versus", "vs"} for t in before)
-    return rated or (versus and before[-1].kind == "clitic")
+    versus = any(t.low in word_list("versus") for t in before) and before[-1].kind == "clitic"
+    return (
+        rated
+        or versus
+        or (low_at(tokens, j) in word_list("versus") and _says_speed(tokens, j, j + _SAID_REACH))
+    )
 
 
-def _likewise(tokens: list[Token], i: int, j: int) -> bool:
-    """``the truck does 60 km/h, the ego 80``, ``the ego's 80``, ``and 80 for the ego``.
+def _says_speed(tokens: list[Token], i: int, j: int) -> bool:
+    said = (quantity_at(tokens, k) for k in range(i, min(j, len(tokens))))
+    return any(q is not None and q.dimension == "speed" for q in said)
 
-    Right beside who it is, after another's speed.
+
+def _beside_who(tokens: list[Token], i: int, j: int, value: float) -> bool:
+    """``ego 80``, ``him 105``, ``the truck ahead of it 60``, ``the ego's 80``, ``and 80 for it``.
+
+    Right beside who it is. A low number may be a name, but after another's speed.
     """
-    ends = [k for k in range(max(0, i - _BESIDE), i) if _ends_place(tokens, k, i)] or [i]
-    who = longest_match(tokens, ends[0] - 1) if ends[0] else None
-    if (who is None or "actor" not in who.cats) and low_at(tokens, j) != "for":
+    ends = [k for k in range(max(0, i - _BESIDE), i) if _ends_place(tokens, k, i)]
+    at = ends[0] if ends else i - (low_at(tokens, i - 1) in {":", "="})
+    who = longest_match(tokens, at - 1) if at else None
+    if who is not None and who.has("actor", "pronoun"):
+        if value >= _LOWEST_BARE and not begins(tokens, j, "verb"):
+            return True
+    elif low_at(tokens, j) != "for":
         return False
     begin = max((k for k in range(i) if tokens[k].low in {".", ":"}), default=-1) + 1
-    said = (quantity_at(tokens, k) for k in range(begin, i))
-    return any(q is not None and q.dimension == "speed" for q in said)
+    return _says_speed(tokens, begin, i)
 
 
 def _ends_place(tokens: list[Token], k: int, i: int) -> bool:
@@ -85,7 +99,10 @@ def _ends_place(tokens: list[Token], k: int, i: int) -> bool:
 
 def doing(tokens: list[Token], i: int) -> bool:
     """Whether a verb of motion stands right before, as in "doing about 50"."""
-    k = i - 1
-    while k >= 0 and tokens[k].low in word_list("vaguely"):
-        k -= 1
+    k = _led_by(tokens, i)
     return k >= 0 and tokens[k].base in word_list("pacing")
+
+
+def _led_by(tokens: list[Token], i: int) -> int:
+    """The token before a number and the vague words that lead up to it."""
+    return max((k for k in range(i) if tokens[k].low not in word_list("vaguely")), default=0)

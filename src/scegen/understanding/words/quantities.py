@@ -17,8 +17,6 @@ _RANGE_WORDS = frozenset({"to", "and", "or"})
 _ABOVE = frozenset({"over", "above", "exceeding", "beyond"})
 _BELOW = frozenset({"under", "below"})
 _FEWER = frozenset({"less", "fewer", "slower", "lower", "shorter", "closer", "nearer", "smaller"})
-_ABOUT = frozenset({"about", "around", "approximately", "roughly", "nearly", "almost", "some",
-                    "approx", "circa", "ca"})  # fmt: skip
 _LONGEST_UNIT = 4
 _TEN = 10
 _SPREAD = 0.1
@@ -206,7 +204,7 @@ def _build(tokens: list[Token], i: int, j: int, values: list[float], dimension: 
     elif last in _BELOW or than:
         note = f"'{last}' is read as up to 20 % less"
         value = Interval(low=low * (1 - 2 * _SPREAD), high=high)
-    elif last in _ABOUT:
+    elif last in word_list("about"):
         note = f"'{last}' is read as 10 % to either side"
         value = Interval(low=low * (1 - _SPREAD), high=high * (1 + _SPREAD))
     lows = [t.low for t in tokens[i:j]]

@@ -53,18 +53,12 @@ def require_english(tokens: list[Token], text: str) -> None:
         raise InputError(msg, where="description", hint=_HINT)
 
 
-_PLACES = frozenset(
-    {"junction", "road", "highway", "lane", "crosswalk", "stop_sign", "yield_sign", "ramp",
-     "access", "sidewalk", "centerline", "bike_lane", "bus_stop", "shoulder"}
-)  # fmt: skip
 _NAMED = frozenset({"signal", "right_of_way"})
 """What only its full name tells: "traffic light"."""
 _DRIVING = frozenset(
     {"overtake", "lane_change", "brake", "hard_brake", "tailgate", "swerve", "cut_off", "park",
      "cut_in", "pull_out", "u_turn", "unpark", "pull_over"}
 )  # fmt: skip
-_HINTS = frozenset({"pass", "stop", "slow", "accelerate", "speed", "reverse", "collide", "follow",
-                    "dash", "breach", "yield", "cross"})  # fmt: skip
 _WAYS = frozenset({"turn", "move"})
 _ENOUGH = 2
 """So many hints, none of which would do alone, make a story of the road."""
@@ -85,7 +79,7 @@ def require_traffic(terms: list[Term], tokens: list[Token]) -> None:
 
 def _about_traffic(term: Term, tokens: list[Token]) -> bool:
     if term.cat == "place":
-        return term.value in _PLACES or (term.value in _NAMED and term.j - term.i > 1)
+        return term.value in word_list("sites") or (term.value in _NAMED and term.j - term.i > 1)
     if term.cat == "actor":
         people = word_list("relevance_first_person") | word_list("people")
         only_people = not people.isdisjoint(t.low for t in tokens[term.i : term.j])
@@ -104,7 +98,7 @@ def _hints_at_traffic(terms: list[Term], k: int, tokens: list[Token]) -> bool:
         loud = tokens[term.j - 1].forms[-1][0] in word_list("loud")
         sided = term.value in _WAYS and after is not None and after.cat == "dir"
         towards = term.value == "approach" and after is not None and "me" in after.data
-        return term.value in _HINTS or sided or loud or towards or "way" in term.data
+        return term.value in word_list("hints") or sided or loud or towards or "way" in term.data
     if term.cat == "locus":
         return after is not None and "me" in after.data
     if term.value == "from":  # "from the left"

@@ -119,7 +119,8 @@ _TOKEN = re.compile(
     r"|(?P<clitic>['’](?:s|re|ll|m|ve|d)?\b|(?<=s)['’])"
     r"|(?P<word>[^\W\d_]+?(?=n['’]t\b)|[^\W\d_]+)"
     r"|(?P<at>(?<!\S)@(?!\w*@))"
-    r"|(?P<arrow>→|⇒|[-–=]{1,2}>)"
+    r"|(?P<arrow>(?:→|⇒|[-–=]{1,2}>)(?=\W*(?:\d|(?i:a |stand|stop|zero|rest|halt))))"
+    r"|(?P<then>→|⇒|[-–=]{1,2}>)"
     r"|(?P<tolerance>±|\+\s?/?\s?[-−–])"
     r"|(?P<punct>[.,;:!?()\[\]\n&])"
     r"|(?P<mark>[-–—/|])"
@@ -188,7 +189,7 @@ def tokenize(text: str) -> list[Token]:
     for match in _TOKEN.finditer(text):
         start, end = match.span()
         group, written = match.lastgroup or "punct", match.group()
-        mark = layout.get(start, "" if group == "mark" else None)
+        mark = layout.get(start, {"mark": "", "then": ";"}.get(group))
         if start in points or mark == "":
             continue
         last = found[-1] if written == "." and found and found[-1].end == start else None
