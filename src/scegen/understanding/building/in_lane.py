@@ -79,15 +79,17 @@ def _in_the_same_lane(entity: Entity, ego: Entity, *, passed: bool) -> None:
     """``the ego in the right lane … a truck in the right lane``: not beside it.
 
     Nor is who stands in the right lane, where nobody says in which one the ego drives, or whom it
-    changes lanes to pass.
+    comes up to there, or changes lanes to pass.
     """
     if entity.start_lane is None or entity.approaches != {Approach.ADJACENT}:
         return
+    along, words = entity.in_next_lane or (set(), entity.basis)
+    met = along == {Approach.AHEAD} and words.reason is not None
     same = ego.start_lane is not None and entity.start_lane[0] == ego.start_lane[0]
-    if same or (ego.start_lane is None and (passed or entity.stands is not None)):
-        reason = "the ego goes over to pass it" if passed else "who stands in the lane is ahead"
+    if same or (ego.start_lane is None and (passed or met or entity.stands is not None)):
+        reason = "the ego goes over to pass it" if passed else "who is met in the lane is ahead"
         reason = "in the lane of the ego" if same else reason
-        entity.beside = None
+        entity.beside = entity.in_next_lane = None
         entity.comes_from({Approach.AHEAD}, entity.start_lane[1].because(reason))
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep
+from scegen.understanding.clauses.dependents import depend
 from scegen.understanding.clauses.state import State
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import chunk_at, predicate_opens
@@ -131,7 +132,7 @@ _ITS = frozenset({"it", "him", "they"})
 _DONE_TO_SOMEBODY = frozenset({"follow", "overtake", "pass", "bypass", "tailgate", "encounter",
                                "approach", "avoid", "collide", "cut_off", "undertake", "hide",
                                "overlook"})  # fmt: skip
-_REACH = 4
+_REACH = 6
 
 
 def antecedent(state: State) -> Mention:
@@ -196,9 +197,11 @@ def _acts(state: State) -> bool:
     """Whether a verb follows that wants an object and does not get one."""
     for n, chunk in enumerate(state.after(_REACH), start=1):
         if isinstance(chunk, Event):
+            if chunk.control == "subject":
+                continue  # "the van that the ego wants to overtake"
             free = not isinstance(state.at(n + 1), Mention)
             return chunk.name in _DONE_TO_SOMEBODY and free and not chunk.nominal
-        if not isinstance(chunk, Term) or chunk.cat not in {"aux", "manner", "neg"}:
+        if chunk.cat not in {"aux", "manner", "neg"} and chunk.value != "to":
             return False
     return False
 
@@ -215,7 +218,10 @@ def close_relative(event: Event, state: State) -> bool:
     event.subject, event.object = [actor], about
     event.negated = any(word.startswith("neg:") for word in state.between)
     event.unable = event.negated and bool({"neg:unable", "aux:can"} & state.between)
-    state.relative = None
+    if state.last is not None and state.last.control == "subject" and state.last.object is about:
+        depend(event, state.last, "inf")
+        state.prep = None
+    state.relative = state.relative if event.control == "subject" else None
     state.events.append(event)
     state.stand_at(about)
     return True

@@ -9,11 +9,11 @@ from scegen.understanding.clauses.dependents import (
     chain,
     depend,
     gerund,
-    granting,
     infinitive,
     let_do,
     nominal,
     on_foot,
+    whose_bare,
 )
 from scegen.understanding.clauses.further import antecedent, is_closed, located, told
 from scegen.understanding.clauses.located import RESTING
@@ -52,8 +52,8 @@ def _link(event: Event, state: State) -> None:
     helped = auxiliary(state)
     if state.awaits("to") and event.form == "base":
         infinitive(event, state)
-    elif (let := granting(event, state)) is not None:
-        infinitive(event, state, let)
+    elif (verb := whose_bare(event, state)) is not None and verb.control == "object":
+        infinitive(event, state, verb)
     elif state.prep is not None and (
         event.form == "ing"
         or (state.prep.value == "without" and {"aux:can", "aux:have"} & state.between)
@@ -114,6 +114,10 @@ def _clause(event: Event, state: State) -> None:
         return
     if "thing" in between:
         return  # "a fallen tree that blocks the lane"
+    seen = whose_bare(event, state)
+    if seen is not None and isinstance(seen.object, Mention):
+        event.subject = chain(seen.object)
+        return
     if state.relating is not None and event.finite and between == {","}:
         event.subject, state.relating = [state.relating], None
     elif state.resumed and event.finite and _resumes(state):
