@@ -32,14 +32,10 @@ def whose_bare(event: Event, state: State) -> Event | None:
 
     So it is in "saw the car ahead of me swerve".
     """
+    taking = [e for e in state.events if e.control == "object" or e.name == "encounter"]
+    verb = next((e for e in reversed(taking) if isinstance(e.object, Mention)), None)
     bare = event.form == "base" and state.between <= {","} and state.waiting is None
-    before = [
-        e
-        for e in (state.events if bare else [])
-        if isinstance(e.object, Mention) and (e.control == "object" or e.name == "encounter")
-    ]
-    verb = before[-1] if before else None
-    if verb is None or state.anchor is verb.object:
+    if verb is None or not bare or state.anchor is verb.object:
         return None
     return None if any(child.form == "base" for child in verb.children) else verb
 

@@ -7,7 +7,6 @@ from scegen.understanding.clauses.dependents import depend
 from scegen.understanding.clauses.state import State
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import chunk_at, predicate_opens
-from scegen.understanding.words.terms import Term
 
 _RELATIVE = 3
 """A noun, "which", and "is"."""

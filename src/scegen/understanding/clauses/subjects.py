@@ -31,7 +31,7 @@ _DESCRIBING = PASSIVE - {"enter", "leave", "use", "approach", "pass", "send"} | 
 """Verbs whose participle describes a noun ("a man hidden behind a van")."""
 
 _PASSING = frozenset({"overtake", "bypass", "pass"})
-_OF_PARTS = frozenset({"collide", "appear", "approach", "swerve"})  # and so of whom they are
+_OF_PARTS = frozenset({"collide", "appear", "approach", "lose_control", "swerve"})  # and of wholes
 _SHOWN = frozenset({"encounter", "cause", "prevent"})
 """Verbs that say what their object is doing."""
 
@@ -108,16 +108,14 @@ def _clause(event: Event, state: State) -> None:
     anchor, between = state.anchor, state.between
     event.embedded = ("rel" in between and not is_closed(state)) or state.where
     event.supplement = {"rel", ","} <= between
-    noun = _noun_described(event, state) if event.reduced else None
-    if noun is not None:
-        event.subject, event.finite = chain(noun), False
+    described = _noun_described(event, state) if event.reduced else None
+    seen = whose_bare(event, state)
+    noun = described or (seen.object if seen is not None else None)
+    if isinstance(noun, Mention):
+        event.subject, event.finite = chain(noun), event.finite and described is None
         return
     if "thing" in between:
         return  # "a fallen tree that blocks the lane"
-    seen = whose_bare(event, state)
-    if seen is not None and isinstance(seen.object, Mention):
-        event.subject = chain(seen.object)
-        return
     if state.relating is not None and event.finite and between == {","}:
         event.subject, state.relating = [state.relating], None
     elif state.resumed and event.finite and _resumes(state):
