@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.clauses.located import as_the_ego_sees, loci_of
@@ -137,7 +139,8 @@ def _member(
     for group in reversed(roster.groups):
         if not (within or group.vague or reading.det == "one"):
             continue
-        if not roster.agree(group, reading) or (group.settled and not within):
+        apart = any(map(partial(elsewhere, reading, mention), group.members))
+        if apart or not roster.agree(group, reading) or (group.settled and not within):
             continue
         if free := roster.claim(1, exclude, reading):
             return free
