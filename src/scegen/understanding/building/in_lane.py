@@ -226,8 +226,6 @@ def lanes_of_road(
     if around.lanes is not None and around.lanes <= most:
         doubled = _RING_LANES if ring and around.lanes > 1 else None
         return (around.lanes,) * arms, doubled, around.lanes_basis
-    if ring and around.two_lane is not None:
-        return (2,) * arms, 2, around.two_lane
     parted = along.carriageway is not None and not along.presumed  # the words do so for sure
     passing = draft.implied.get("passing")
     if implied is None and passing is not None:

@@ -86,8 +86,6 @@ class ClauseReader:
         if word.value == "before" and following.cat == "quantity":
             return  # "and after 3 s brakes": a moment, no clause
         ends = word.value == "," or word.cat in {"conj", "sub"}
-        if ends and {"neg:not", "unknown"} <= state.between:
-            state.between.discard("neg:not")  # "stands still but not centred, and I hit it"
         denied = ends and state.at(-1).cat == "neg"
         if denied and isinstance(following, Mention):  # "It can't, we ram it"
             state.between = {w for w in state.between if not w.startswith(("neg:", "aux:"))}
@@ -249,10 +247,10 @@ class ClauseReader:
         event.sentence = self._sentence
         event.mods += state.ahead
         state.ahead = []
+        whom = state.relative[1] if state.relative is not None else event
         if close_relative(event, state):
-            self.events.append(event)
-            return
-        if self._inverted(event):
+            state.prep = None
+        elif self._inverted(event):
             event.finite = True
             state.pending.append(event)
         elif not self._by_a_stranger(event):
@@ -281,7 +279,7 @@ class ClauseReader:
         release(self._state)
         state.events.append(event)
         self.events.append(event)
-        state.stand_at(event)
+        state.stand_at(whom)
 
     def _lacking(self, event: Event) -> bool:
         """``without braking``, ``without either driver braking``."""

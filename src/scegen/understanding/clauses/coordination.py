@@ -25,8 +25,7 @@ def auxiliary(state: State) -> bool:
 def _shape(event: Event) -> str:
     if event.link == "inf" or (event.modal and event.form == "base"):
         return "inf"
-    described = event.form == "ing" and event.embedded  # "comes up to a van that is turning"
-    return "finite" if event.finite and not described else event.form
+    return "finite" if event.finite and not (event.form == "ing" and event.embedded) else event.form
 
 
 def told_beside(state: State, *words: str) -> Mention | None:

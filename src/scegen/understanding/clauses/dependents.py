@@ -28,10 +28,7 @@ def depend(event: Event, parent: Event, link_kind: str) -> None:
 
 
 def whose_bare(event: Event, state: State) -> Event | None:
-    """``lets a van already turning, which is late, pass``: whose object does the bare verb.
-
-    So it is in "saw the car ahead of me swerve".
-    """
+    """``lets a van, which is late, go``, ``saw the car ahead of me swerve``: on what it hangs."""
     taking = [e for e in state.events if e.control == "object" or e.name == "encounter"]
     verb = next((e for e in reversed(taking) if isinstance(e.object, Mention)), None)
     bare = event.form == "base" and state.between <= {","} and state.waiting is None

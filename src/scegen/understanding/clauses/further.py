@@ -215,14 +215,9 @@ def close_relative(event: Event, state: State) -> bool:
         return False
     actor, about = state.relative
     event.subject, event.object = [actor], about
-    event.negated = any(word.startswith("neg:") for word in state.between)
-    event.unable = event.negated and bool({"neg:unable", "aux:can"} & state.between)
     if state.last is not None and state.last.control == "subject" and state.last.object is about:
         depend(event, state.last, "inf")
-        state.prep = None
     state.relative = state.relative if event.control == "subject" else None
-    state.events.append(event)
-    state.stand_at(about)
     return True
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from scegen.scenario.vocabulary import ANIMALS
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.clauses.coordination import auxiliary, coordinate, no_jam, told_beside
 from scegen.understanding.clauses.dependents import (
@@ -264,11 +263,8 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
     if done_to is not None and done_to.name in {"cause", "prevent"}:
         depend(event, done_to, "ing")
     within = anchor.stands_after("in") and anchor.is_mass
-    led = [m for m in state.mentions for p in m.pps if p.value == "with" and p.target is anchor]
     if last is not None and within and event.form == "ing":
         event.subject = last.subject  # "is stopped in traffic waiting to turn"
-    elif led and anchor.noun in ANIMALS and not event.finite:
-        event.subject = led  # "a man with a dog crossing the road"
     elif known and located(anchor) and not event.finite and state.candidate is not None:
         event.subject = chain(state.candidate)  # "the car in front of it reversing towards it"
     elif done_to is not None and not event.finite and _by_doing(event, done_to, known, state):

@@ -175,11 +175,10 @@ def _people_in_traffic(chunks: list[Chunk], events: list[Event], tokens: list[To
     aboard = [m for m in named if m.head is not None and m.head.data.get("aboard")]
     aboard += [m for m in named if m.heads and not m.is_ego and carried(m, chunks, tokens)]
     again = any(is_pronoun(m) and id(m) in walking for m in named)  # "lets a man out; he crosses"
-    aboard += [m for m in named if not again and _gets_in(m, chunks, tokens)]
     afoot = any(id(m) in walking for m in aboard)
     for who in [m for m in aboard if id(m) not in walking]:
         told = who.mod("det", "def") is not None and afoot  # "…; the ego hits the passenger"
-        who.negated = who.negated or not told
+        who.negated = who.negated or not (told or again)
     for who in [m for m in named if id(m) not in walking]:
         alike = who.has("manner", "wrong_way") or _along(who)
         who.marks |= {"drives"} if alike else set()
@@ -195,16 +194,6 @@ def carried(noun: NounPhrase, chunks: list[Chunk], tokens: list[Token]) -> bool:
     opened, *after = [t.low for t in tokens[noun.j : noun.j + _SEATED]] or [""]
     on_board = opened in word_list("aboard") and bool(word_list("whose") & {*after[:1]})
     return laden or (on_board and not word_list("seats").isdisjoint(after))
-
-
-def _gets_in(who: Mention, chunks: list[Chunk], tokens: list[Token]) -> bool:
-    """``stops to pick up a man``, ``to let a man out``: he takes no further part."""
-    taken = " ".join(t.base for t in tokens[max(0, who.i - 2) : who.i])
-    behind = [c for c in chunks if who.j <= c.i <= who.j + 1]
-    particle = any(tokens[c.i].low in word_list("in_or_out") for c in behind if c.j == who.j + 1)
-    particle = particle and not isinstance(behind[-1], NounPhrase)
-    let = particle and tokens[who.i - 1].base in word_list("letting")
-    return who.noun == "pedestrian" and (let or taken in word_list("taking_in"))
 
 
 def _along(mention: Mention) -> bool:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
-
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.clauses.located import as_the_ego_sees, loci_of
@@ -139,7 +137,7 @@ def _member(
     for group in reversed(roster.groups):
         if not (within or group.vague or reading.det == "one"):
             continue
-        apart = any(map(partial(elsewhere, reading, mention), group.members))
+        apart = any(elsewhere(reading, mention, e) for e in group.members)
         if apart or not roster.agree(group, reading) or (group.settled and not within):
             continue
         if free := roster.claim(1, exclude, reading):

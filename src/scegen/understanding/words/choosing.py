@@ -183,8 +183,7 @@ def _not_inflected(match: Match) -> Match:
 def _describes(match: Match, tokens: list[Token]) -> bool:
     """Whether a role name stands before another adjective and a noun."""
     following = longest_match(tokens, match.j)
-    direct = following is None or following.has("actor")
-    return not direct and noun_follows(tokens, match.j)
+    return bool(following and not following.has("actor")) and noun_follows(tokens, match.j)
 
 
 def _relates(match: Match, tokens: list[Token], previous: Term) -> bool:
@@ -249,8 +248,6 @@ def choose(match: Match, tokens: list[Token], previous: Term) -> tuple[Entry, bo
         return match.get("label"), False  # "the adversarial leading car"
     if match.has("noted") and match.has("actor") and before == "det":
         return match.get("noted" if noun_follows(tokens, match.j) else "actor"), False
-    if match.has("verb") and match.has("prep") and before == "verb":
-        return match.get("prep"), False  # "rides near the kerb"
     if match.has("verb"):
         return _verb_or_other(match, tokens, previous)
     if match.has("rel") and match.has("det"):
