@@ -29,7 +29,7 @@ def hazards(text):
         ("A lorry jackknifes on the motorway.", {"loss_of_control"}),
         ("A tractor crawls along the road ahead of the ego.", {"slow_driving"}),
         ("The ego goes around a parked van.", {"obstacle"}),
-        ("The ego's tyre bursts.", set()),
+        ("The ego's tyre bursts.", {"loss_of_control"}),
         ("Kids kick a ball on the pavement while a car passes.", set()),
         ("Roadworks blocking the lane make the ego change lanes.", {"obstacle"}),
         ("A bus pulls out to overtake a cyclist.", {"overtaking"}),

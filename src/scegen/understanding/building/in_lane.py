@@ -79,15 +79,17 @@ def _in_the_same_lane(entity: Entity, ego: Entity, *, passed: bool) -> None:
     """``the ego in the right lane … a truck in the right lane``: not beside it.
 
     Nor is who stands in the right lane, where nobody says in which one the ego drives, or whom it
-    changes lanes to pass.
+    comes up to there, or changes lanes to pass.
     """
     if entity.start_lane is None or entity.approaches != {Approach.ADJACENT}:
         return
+    along, words = entity.in_next_lane or (set(), entity.basis)
+    met = along == {Approach.AHEAD} and words.reason is not None
     same = ego.start_lane is not None and entity.start_lane[0] == ego.start_lane[0]
-    if same or (ego.start_lane is None and (passed or entity.stands is not None)):
-        reason = "the ego goes over to pass it" if passed else "who stands in the lane is ahead"
+    if same or (ego.start_lane is None and (passed or met or entity.stands is not None)):
+        reason = "the ego goes over to pass it" if passed else "who is met in the lane is ahead"
         reason = "in the lane of the ego" if same else reason
-        entity.beside = None
+        entity.beside = entity.in_next_lane = None
         entity.comes_from({Approach.AHEAD}, entity.start_lane[1].because(reason))
 
 
@@ -224,8 +226,6 @@ def lanes_of_road(
     if around.lanes is not None and around.lanes <= most:
         doubled = _RING_LANES if ring and around.lanes > 1 else None
         return (around.lanes,) * arms, doubled, around.lanes_basis
-    if ring and around.two_lane is not None:
-        return (2,) * arms, 2, around.two_lane
     parted = along.carriageway is not None and not along.presumed  # the words do so for sure
     passing = draft.implied.get("passing")
     if implied is None and passing is not None:

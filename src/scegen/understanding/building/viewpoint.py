@@ -183,7 +183,8 @@ def allow(entity: Entity, approaches: set[Approach], basis: Basis) -> None:
         either -= _ALONG  # "of two oncoming cars the one behind"
     if not entity.is_vehicle and either & set(_SIDES.values()):
         either -= {Approach.BEHIND}  # "walks behind it, coming from the left"
-    entity.approaches = common or either
+    beside = common == {Approach.ADJACENT} and either - common < _ASIDE
+    entity.approaches = either if beside else common or either  # "on its right, side by side"
     if entity.approach_basis is None or common:
         entity.approach_basis = basis
 

@@ -249,10 +249,10 @@ class ClauseReader:
         event.sentence = self._sentence
         event.mods += state.ahead
         state.ahead = []
+        whom = state.relative[1] if state.relative is not None else event
         if close_relative(event, state):
-            self.events.append(event)
-            return
-        if self._inverted(event):
+            state.prep = None
+        elif self._inverted(event):
             event.finite = True
             state.pending.append(event)
         elif not self._by_a_stranger(event):
@@ -282,7 +282,7 @@ class ClauseReader:
         release(self._state)
         state.events.append(event)
         self.events.append(event)
-        state.stand_at(event)
+        state.stand_at(whom)
 
     def _lacking(self, event: Event) -> bool:
         """``without braking``, ``without either driver braking``."""

@@ -25,7 +25,7 @@ def auxiliary(state: State) -> bool:
 def _shape(event: Event) -> str:
     if event.link == "inf" or (event.modal and event.form == "base"):
         return "inf"
-    return "finite" if event.finite and event.form != "ing" else event.form
+    return "finite" if event.finite and not (event.form == "ing" and event.embedded) else event.form
 
 
 def told_beside(state: State, *words: str) -> Mention | None:
@@ -105,8 +105,8 @@ def no_jam(event: Event, subject: list[Mention], state: State) -> bool:
 
 
 def _as_finite(first: Event, second: Event) -> bool:
-    """``does not slow and swings out``: "do" bears the ending that the second verb bears."""
-    return first.form == second.form or (first.form == "base" and not first.modal)
+    """``does not slow and swings out``: "do", or "is", has the ending of the second verb."""
+    return first.form == second.form or (first.form in {"base", "ing"} and not first.modal)
 
 
 def _agree(verb: Event, subject: list[Mention], *, third: bool) -> bool:

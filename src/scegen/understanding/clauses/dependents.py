@@ -27,14 +27,14 @@ def depend(event: Event, parent: Event, link_kind: str) -> None:
     event.modal = event.modal or parent.modal or parent.name in {"cause", "prevent"}
 
 
-def granting(event: Event, state: State) -> Event | None:
-    """``lets a van already turning, which is late, pass``: the bare verb hangs on "lets"."""
-    before = [e for e in state.events if e.control == "object" and isinstance(e.object, Mention)]
+def whose_bare(event: Event, state: State) -> Event | None:
+    """``lets a van, which is late, go``, ``saw the car ahead of me swerve``: on what it hangs."""
+    taking = [e for e in state.events if e.control == "object" or e.name == "encounter"]
+    verb = next((e for e in reversed(taking) if isinstance(e.object, Mention)), None)
     bare = event.form == "base" and state.between <= {","} and state.waiting is None
-    let = before[-1] if before and bare else None
-    if let is None or state.anchor is let.object:
+    if verb is None or not bare or state.anchor is verb.object:
         return None
-    return None if any(child.form == "base" for child in let.children) else let
+    return None if any(child.form == "base" for child in verb.children) else verb
 
 
 def let_do(state: State) -> Mention | None:

@@ -201,8 +201,10 @@ def _copy(verb: Event, who: Mention, chunks: list[Chunk], k: int) -> list[Event]
         return []
     # "a car comes from the left and a van from the right", no "turns left out of a street; a van …"
     turns, kind = bool(verb.dirs), target.kind
-    kept = [p for p in verb.pps if p.value != rest.value or (turns and not p.names(kind))]
-    alike = len(kept) < len(verb.pps) and (rest.value != "in" or verb.form != "ing")
+    own = [p for p in verb.pps if p.on_mention is not who]
+    kept = [p for p in own if p.value != rest.value or (turns and not p.names(kind))]
+    alike = len(kept) < len(own) and (rest.value != "in" or verb.form != "ing")
+    verb.pps = own if alike else verb.pps
     again = _again(verb, [who], rest.i, target.j)
     return [replace(again, pps=[*kept, Prep(rest, target)])] if alike else []
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep
+from scegen.understanding.clauses.dependents import depend
 from scegen.understanding.clauses.state import State
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import chunk_at, predicate_opens
-from scegen.understanding.words.terms import Term
 
 _RELATIVE = 3
 """A noun, "which", and "is"."""
@@ -128,7 +128,7 @@ def further_ones(mention: Mention, state: State) -> bool:
 
 
 _ITS = frozenset({"it", "him", "they"})
-_REACH = 4
+_REACH = 6
 
 
 def antecedent(state: State) -> Mention:
@@ -193,9 +193,11 @@ def _acts(state: State) -> bool:
     """Whether a verb follows that wants an object and does not get one."""
     for n, chunk in enumerate(state.after(_REACH), start=1):
         if isinstance(chunk, Event):
+            if chunk.control == "subject":
+                continue  # "the van that the ego wants to overtake"
             free = not isinstance(state.at(n + 1), Mention)
             return chunk.name in word_list("done_to_somebody") and free and not chunk.nominal
-        if not isinstance(chunk, Term) or chunk.cat not in {"aux", "manner", "neg"}:
+        if chunk.cat not in {"aux", "manner", "neg"} and chunk.value != "to":
             return False
     return False
 
@@ -210,11 +212,9 @@ def close_relative(event: Event, state: State) -> bool:
         return False
     actor, about = state.relative
     event.subject, event.object = [actor], about
-    event.negated = any(word.startswith("neg:") for word in state.between)
-    event.unable = event.negated and bool({"neg:unable", "aux:can"} & state.between)
-    state.relative = None
-    state.events.append(event)
-    state.stand_at(about)
+    if state.last is not None and state.last.control == "subject" and state.last.object is about:
+        depend(event, state.last, "inf")
+    state.relative = state.relative if event.control == "subject" else None
     return True
 
 

@@ -8,11 +8,11 @@ from scegen.understanding.clauses.dependents import (
     chain,
     depend,
     gerund,
-    granting,
     infinitive,
     let_do,
     nominal,
     on_foot,
+    whose_bare,
 )
 from scegen.understanding.clauses.further import antecedent, is_closed, located, told
 from scegen.understanding.clauses.located import RESTING
@@ -22,7 +22,7 @@ from scegen.understanding.phrases.doings_named import teller_at
 from scegen.understanding.phrases.lookahead import main_verb_follows
 
 _PASSING = frozenset({"overtake", "bypass", "pass"})
-_OF_PARTS = frozenset({"collide", "appear", "approach", "swerve"})  # and so of whom they are
+_OF_PARTS = frozenset({"collide", "appear", "approach", "lose_control", "swerve"})  # and of wholes
 _SHOWN = frozenset({"encounter", "cause", "prevent"})
 """Verbs that say what their object is doing."""
 
@@ -43,8 +43,8 @@ def _link(event: Event, state: State) -> None:
     helped = auxiliary(state)
     if state.awaits("to") and event.form == "base":
         infinitive(event, state)
-    elif (let := granting(event, state)) is not None:
-        infinitive(event, state, let)
+    elif (verb := whose_bare(event, state)) is not None and verb.control == "object":
+        infinitive(event, state, verb)
     elif state.prep is not None and (
         event.form == "ing"
         or (state.prep.value == "without" and {"aux:can", "aux:have"} & state.between)
@@ -105,9 +105,11 @@ def _clause(event: Event, state: State) -> None:
     anchor, between = state.anchor, state.between
     event.embedded = ("rel" in between and not is_closed(state)) or state.where
     event.supplement = {"rel", ","} <= between
-    noun = _noun_described(event, state) if event.reduced else None
-    if noun is not None:
-        event.subject, event.finite = chain(noun), False
+    described = _noun_described(event, state) if event.reduced else None
+    seen = whose_bare(event, state)
+    noun = described or (seen.object if seen is not None else None)
+    if isinstance(noun, Mention):
+        event.subject, event.finite = chain(noun), event.finite and described is None
         return
     if "thing" in between:
         return  # "a fallen tree that blocks the lane"

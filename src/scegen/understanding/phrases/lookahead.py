@@ -75,7 +75,7 @@ def finite_follows(chunks: list[Chunk], k: int) -> bool:
     """Whether a verb of its own comes after chunk ``k``, adverbs and phrases skipped."""
     k = _behind_relative(chunks, k)
     auxiliary = preposed = False
-    last = k + 8
+    last = k + 10
     while k < min(last, len(chunks) - 1):
         k += 1
         behind = behind_insertion(chunks, k + 1) if chunks[k].value == "," else k

@@ -39,7 +39,7 @@ def is_nominal(mods: list[Term], head: Term, following: Term, chunks: list[Chunk
     turned = head.value == "turn" and following.cat == "dir"
     turned = turned or mods[-1].cat == "compass" or mods[-1].value in {"front", "rear"}
     if governed(chunks) and placed:  # "cars from the right enter"
-        bare = len(mods) <= _SIDE_ONLY and head.value not in _NAMED_BY_SIDE
+        bare = len(mods) <= _SIDE_ONLY and (head.form == "ing" or head.value not in _NAMED_BY_SIDE)
         if bare or head.form == "s" or turned or _after_a_side(chunks):
             return False
     last = next((m for m in reversed(mods) if m.cat != "manner"), mods[-1])

@@ -137,7 +137,8 @@ def _member(
     for group in reversed(roster.groups):
         if not (within or group.vague or reading.det == "one"):
             continue
-        if not roster.agree(group, reading) or (group.settled and not within):
+        apart = any(elsewhere(reading, mention, e) for e in group.members)
+        if apart or not roster.agree(group, reading) or (group.settled and not within):
             continue
         if free := roster.claim(1, exclude, reading):
             return free

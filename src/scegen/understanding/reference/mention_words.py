@@ -208,6 +208,8 @@ def elsewhere(reading: Reading, mention: Mention, entity: Entity) -> bool:
         return True  # "this Audi": not the one who tells it
     if entity.ego and mention.has("verb", "approach"):
         return True  # "the ego turns; the approaching car …": it comes towards the ego
+    if mention.sides and entity.loci and reading.det != "def":
+        return True  # "a jam ahead; a car on the left"
     bare = reading.det == "bare" and not reading.dirs and reading.kind is entity.kind
     return bare and bool(mention.pps) and bool(entity.dirs)
 
