@@ -12,11 +12,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from scegen.concretization.clearance import Differences, same_lane
-from scegen.concretization.drafts import DriveDraft
+from scegen.concretization.drafts import DriveDraft, Wait
 from scegen.concretization.lights import lights_of, stands_at_red
 from scegen.concretization.limits import APPROACH_S, HEADWAY_S, LEAD_IN_S
 from scegen.concretization.meetings import ORDINARY, Meeting
-from scegen.concretization.priorities import Manners, Waits, patient_ones
+from scegen.concretization.priorities import Manners, patient_ones
 from scegen.concretization.setup import Setup
 from scegen.motion.rules.giving_way import must_give_way
 
@@ -106,7 +106,7 @@ def schedule(scene: Setup, meetings: Sequence[Meeting]) -> None:
     has ``APPROACH_S`` until its own.
     """
     first_s = _first_places(scene, meetings)
-    ego, waits = scene.ego, Waits.of(scene.drives.values())
+    ego, waits = scene.ego, {draft: draft.waits for draft in scene.drives.values()}
     approach_s = 0.0 if ego.backs_out else ego.course.time_at(first_s[ego.id]) - APPROACH_S
     differences = Differences(approach_s)
     for _ in range(_ROUNDS):
@@ -115,7 +115,7 @@ def schedule(scene: Setup, meetings: Sequence[Meeting]) -> None:
         differences.begins_s = min([assumed_s, *_latest_s(scene, first_s)])
         if differences.begins_s >= assumed_s - _SAME_S:
             break
-        waits.restore()
+        _wait_again(waits)
     for draft in scene.drives.values():
         draft.offset_s -= differences.begins_s
 
@@ -187,7 +187,7 @@ def make_late(place: Placing, differences: Differences, manners: Manners | None 
     """
     draft, manners = place.draft, manners if place.waits else None
     people = [draft, *place.clear, *place.near]
-    before = Waits.of(people)
+    before = {each: each.waits for each in people}
     line = [each for each in place.clear if same_lane(draft, each)]
     others = [each for each in place.clear if each not in line]
     usual: float | None = None
@@ -200,16 +200,22 @@ def make_late(place: Placing, differences: Differences, manners: Manners | None 
             if manners is not None:
                 manners.wait(draft)
                 if not manners.settle(draft, people):
-                    before.restore()
+                    _wait_again(before)
                     continue
-            waiting = before.changed()
+            waiting = [each for each, waits in before.items() if each.waits != waits]
             if not (
                 differences.touches(draft, others, _ROOM_S)
                 or (draft in waiting and differences.touches(draft, line, place.headway_s))
                 or any(differences.touches(one, people, _ROOM_S) for one in waiting)
             ):
                 return
-            before.restore()
+            _wait_again(before)
     draft.offset_s = place.offset_s if usual is None else usual
     if manners is not None:
         manners.wait(draft)
+
+
+def _wait_again(before: Mapping[DriveDraft, Wait | None]) -> None:
+    """Let everybody wait as it did."""
+    for draft, waits in before.items():
+        draft.waits = waits

@@ -13,7 +13,7 @@ from scegen.concretization.aside import keep_aside
 from scegen.concretization.assemble import assemble
 from scegen.concretization.clock import schedule, shortfall
 from scegen.concretization.deeds import do_acts, lead_in_missing_s, stand_in_line
-from scegen.concretization.drafts import DriveDraft
+from scegen.concretization.drafts import DriveDraft, Wait
 from scegen.concretization.encounters import conflict_meetings, join_traffic
 from scegen.concretization.fitting import conditioned, fit
 from scegen.concretization.leaving import leave_lanes, shape_maneuvers
@@ -155,7 +155,7 @@ def _draft(scene: Setup, drive: Drive) -> DriveDraft:
         speed_mps=cruise,
         lateral_mps2=FAST_LATERAL_MPS2 if fast else LATERAL_MPS2,
         grip_mps2=scene.grip_mps2,
-        waits_s=waits_s,
+        waits=None if waits_s is None else Wait(waits_s),
         stops_at_line=(
             participant.id in must_stop(scene.functional, scene.logical)
             and not scene.runs_into_standing(participant.id)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from math import sqrt
+from typing import NamedTuple
 
 from scegen.concretization.courses import Course, course_of
 from scegen.concretization.limits import (
@@ -34,6 +35,16 @@ _SHORT_M = 1.0
 """From the front bumper of one who stops to the stop line, and as early before a bend."""
 
 
+class Wait(NamedTuple):
+    """How long one stands at its line, at red or until ``lets_by`` has passed.
+
+    Below 0: it goes on before it has come to rest.
+    """
+
+    time_s: float
+    lets_by: str | None = None
+
+
 @dataclass(eq=False)
 class DriveDraft:
     """A vehicle's drive in the making.
@@ -47,9 +58,8 @@ class DriveDraft:
     it, ``parked_s_m`` where it stood beside the road at first.
     ``reversal`` is a part driven backwards; one that backs out (of arm ``from_arm``, if not from
     beside the road) joins its drive at station ``joins_m``. Within ``alone_s_m`` of its path only
-    the marks of dangers count. ``backs_to`` is somebody who crosses behind it. ``waits_s`` is how
-    long it stands at its line, at red or until ``lets_by`` has passed (below 0: it goes on before
-    it has come to rest). ``offset_s`` is how late it is against its course.
+    the marks of dangers count. ``backs_to`` is somebody who crosses behind it. ``waits`` at
+    its line. ``offset_s`` is how late it is against its course.
     """
 
     id: str
@@ -79,8 +89,7 @@ class DriveDraft:
     alone_s_m: tuple[float, float] | None = None
     laid_: LaidDrive | None = None
     line_back_m: float = 0.0
-    waits_s: float | None = None
-    lets_by: str | None = None
+    waits: Wait | None = None
 
     def braking_mps2(self, wanted_mps2: float) -> float:
         """How hard it brakes if it wants to so much: as hard as its brakes and tyres can."""
@@ -230,8 +239,8 @@ class DriveDraft:
             first, _, slowest = narrow.pop() if near else (begin, end, speed)
             narrow.append((first, end, min(speed, slowest)))
         marks = [self._slow_before(begin, speed) for begin, _, speed in narrow]
-        if self.stops_at_line or self.waits_s is not None:
-            stands_s = STOPS_FOR_S if self.waits_s is None else self.waits_s
+        if self.stops_at_line or self.waits is not None:
+            stands_s = STOPS_FOR_S if self.waits is None else self.waits.time_s
             speed = narrow[0][2] if narrow else self.speed_mps
             on = SpeedChange(speed, faster, sort=Sort.GOES_ON, then_s=stands_s)
             marks[:1] = [self._slow_before(self.stop_line_s_m - self.body.front_m, 0.0, on)]

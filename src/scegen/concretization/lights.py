@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scegen.concretization.drafts import DriveDraft
+from scegen.concretization.drafts import DriveDraft, Wait
 from scegen.concretization.setup import Setup
 from scegen.concretization.walkers import leaves_s
 from scegen.motion.rules.intergreen import (
@@ -67,7 +67,7 @@ class Lights:
 
     def wait(self, draft: DriveDraft) -> None:
         """Let a drive stand at its line until green: at red, or if that is said."""
-        draft.waits_s = None
+        draft.waits = None
         group = self.plan.group_of(draft.drive.entry)
         if draft.id not in self.obeying or group is None:
             return
@@ -80,10 +80,10 @@ class Lights:
         goes += _STARTS_S if delay_s is None else delay_s
         # One that sets off late has stood for longer: it came to rest before green.
         least = _LEAST_WAIT_S if delay_s is None else delay_s + _STARTS_S
-        draft.waits_s = least
+        draft.waits = Wait(least)
         again = draft.course.going_on
         longer = goes - (draft.offset_s + again.begins_s) if again is not None else 0.0
-        draft.waits_s = least + max(0.0, longer)
+        draft.waits = Wait(least + max(0.0, longer))
 
 
 def stands_at_red(participant: Participant) -> bool:
@@ -181,11 +181,11 @@ def _wait_as_long(scene: Setup, shown: Sequence[_Shown]) -> None:
     """Several who set off so long after green, each: one plan can suit one of them only."""
     for draft in scene.drives.values():
         own = next((each for each in shown if each.who == draft.id), None)
-        if own is None or draft.waits_s is None or scene.signals is None:
+        if own is None or draft.waits is None or scene.signals is None:
             continue
         cycle_s = scene.signals.cycle_s
         early_s = (_late_s(scene.signals, own) + cycle_s / 2) % cycle_s - cycle_s / 2
-        draft.waits_s = max(draft.waits_s - early_s, _LEAST_WAIT_S)
+        draft.waits = Wait(max(draft.waits.time_s - early_s, _LEAST_WAIT_S))
 
 
 def _late_s(plan: SignalPlan, shown: _Shown) -> float:

@@ -170,7 +170,7 @@ def _written(
         if name in story.parked:
             people.append(written_parked(story, frame, name))
         elif name in story.runners:
-            people.append(written_runner(story, frame, name))
+            people.append(written_runner(story, frame, network, name))
         elif name in story.walks:
             people.append(written_walk(story, frame, network, story.walks[name]))
     doors = opens(story.functional)
@@ -197,13 +197,7 @@ def _thing(story: Story, frame: Frame, network: RoadNetwork, name: str) -> Stati
     """A thing in somebody's lane, at its pose in the world."""
     runner = story.runners[name]
     thing = story.things[name]
-    beyond, y = frame.centre_m(runner.x_m(0.0)), runner.y_m(0.0)
-    line = network.arm_road(frame.ego_arm).line
-    if frame.curve is not None and beyond > 0.0:
-        line = network.arm_road(1 - frame.ego_arm).line.reversed()
-        pose = line.pose(beyond, y)
-    else:
-        pose = line.pose(line.length_m + frame.gaps_m[frame.ego_arm] + beyond, y)
+    pose = frame.pose(network, runner.x_m(0.0), runner.y_m(0.0))
     return made_of(name, shape_of(thing), thing.called, pose)
 
 

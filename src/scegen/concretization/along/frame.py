@@ -15,7 +15,8 @@ from scegen.concretization.along.story import Story
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.paths import END_MARGIN_M
 from scegen.road.cross_section import CROSSWALK_MIDDLE_M
-from scegen.road.geometry import Pose, Segment
+from scegen.road.geometry import Pose
+from scegen.road.model import RoadNetwork
 from scegen.road.ramps import gore_m
 from scegen.road.straight import Curve, curve_of
 from scegen.scenario.road_parameters import RoadParameters
@@ -99,15 +100,13 @@ class Frame:
             )
         return max(before, 0.0)
 
-    def pose(self, x_m: float, y_m: float) -> Pose:
-        """The place in a frame whose origin is where the ego comes into the bend."""
+    def pose(self, network: RoadNetwork, x_m: float, y_m: float) -> Pose:
+        """The place in the world."""
         beyond = self.centre_m(x_m)
-        if self.curve is None:
-            return Pose(beyond, y_m, 0.0)
-        k, half = self.curve.curvature_1pm, self.curve.half_arc_m
-        arc = Segment(Pose(0.0, 0.0, 0.0), 2 * half, k)
-        s = min(max(beyond + half, 0.0), 2 * half)
-        return arc.pose(s).shifted(forward_m=beyond + half - s, left_m=y_m)
+        line = network.arm_road(self.ego_arm).line
+        if self.curve is not None and beyond > 0.0:
+            return network.arm_road(1 - self.ego_arm).line.reversed().pose(beyond, y_m)
+        return line.pose(line.length_m + self.gaps_m[self.ego_arm] + beyond, y_m)
 
 
 def frame_of(story: Story, road: RoadParameters, closest_s: float, lasts_s: float) -> Frame:

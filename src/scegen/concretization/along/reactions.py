@@ -8,7 +8,8 @@ from math import floor, inf
 
 import numpy as np
 
-from scegen.concretization.along.runner import Runner, gap_m
+from scegen.claims.boxes import gap_m
+from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.spacing import keep_apart
 from scegen.concretization.along.story import Story
 from scegen.concretization.amounts import (
@@ -176,7 +177,8 @@ def _follow(story: Story, contact: Contact) -> bool:
     for step in sorted(other.steps, key=lambda s: s.begins_s):
         ahead = Change(step.begins_s, step.target_mps, step.rate_mps2)
         if step.target_mps < speed:
-            gap = gap_m(who, other, step.begins_s)
+            at = np.array([step.begins_s])
+            gap = float(gap_m(who.track(at)[0], other.track(at)[0])[0])
             found = None if steps else brakes(driver, who.speed_mps, gap, speed, ahead)
         else:
             found = goes_on(driver, who.speed_mps, ahead) if steps else None
