@@ -15,7 +15,7 @@ from scegen.concretization.aside import change_length_m
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.encounters import pairs, same_arm
 from scegen.concretization.leaving import goes_outwards
-from scegen.concretization.meetings import ways_touch
+from scegen.concretization.meetings import first_ground
 from scegen.concretization.roads import passing_who_hides
 from scegen.concretization.setup import NeedsLongerArms, Setup
 from scegen.concretization.tale import SIDEWAYS
@@ -180,7 +180,7 @@ def _meetings(scene: Setup) -> Iterator[Wish]:
 
     @cache
     def meet(first: str, second: str, lanes: Lanes, others: Lanes) -> bool:
-        return ways_touch(way(first, lanes), way(second, others))
+        return first_ground(way(first, lanes), way(second, others)) is not None
 
     dangers = (pair for hazard in scene.functional.hazards for pair in pairs(scene, hazard))
     told = [((a.id, b.id), LIKELY) for a, b in dangers if not same_arm(a, b)]
@@ -223,7 +223,8 @@ def _move_over(scene: Setup, lanes: Choice, first: DriveDraft, second: DriveDraf
         if over > 0.0:
             raise NeedsLongerArms(over + 1.0, draft.id)
         draft.lane_changes.append(change)
-        if ways_touch(*(_laid(scene, each.id, lanes[each.id]) for each in (draft, other))):
+        ways = (_laid(scene, each.id, lanes[each.id]) for each in (draft, other))
+        if first_ground(*ways) is not None:
             reason = f"moves over behind the junction, so that its way and that of {other.id} meet"
             scene.note(f"{draft.id}.exit_lane", lane, reason, own.exit_lane)
             return True

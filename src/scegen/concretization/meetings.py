@@ -11,7 +11,6 @@ import numpy as np
 
 from scegen.concretization.drafts import DriveDraft
 from scegen.measures.grounds import Ground, grounds
-from scegen.measures.nearest import least_gap_m
 from scegen.measures.remembering import remembered
 from scegen.motion.model import Array, Path
 from scegen.scenario.bodies import Body
@@ -164,11 +163,3 @@ def drives_meet(first: DriveDraft, second: DriveDraft) -> MeetingPoint | None:
 def _comes_back(draft: DriveDraft) -> bool:
     """Whether one leaves the lane of the oncoming again."""
     return any(a.lane_after == 0 < b.lane_after for a, b in pairwise(draft.lane_changes))
-
-
-def ways_touch(first: DriveDraft, second: DriveDraft) -> bool:
-    """Whether bodies on two ways can touch: the lines come closer than half of both widths."""
-    _, x1, y1, _ = sampled(first.path)
-    _, x2, y2, _ = sampled(second.path)
-    wide_m = (first.body.width_m + second.body.width_m) / 2
-    return least_gap_m(x1, y1, x2, y2, wide_m) < wide_m
