@@ -26,7 +26,7 @@ from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import DriveMotion, LaneChange
 from scegen.scenario.logical import Drive
 from scegen.scenario.reversing import BacksOut, Reversal
-from scegen.scenario.vocabulary import Maneuver, ParticipantKind
+from scegen.scenario.vocabulary import Maneuver
 
 _SIDEWAYS = 0.9
 """The share of the grip that a bend may take."""
@@ -63,7 +63,6 @@ class DriveDraft:
     """
 
     id: str
-    kind: ParticipantKind
     body: Body
     drive: Drive
     speed_mps: float

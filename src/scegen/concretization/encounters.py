@@ -28,7 +28,6 @@ from scegen.concretization.meetings import (
 )
 from scegen.concretization.setup import Setup
 from scegen.scenario.acts import GAINING, ActKind
-from scegen.scenario.bodies import BODIES
 from scegen.scenario.functional import Hazard
 from scegen.scenario.hazards import HAZARDS, Arrangement, Case, Motion
 from scegen.scenario.vocabulary import HazardKind, Maneuver
@@ -79,7 +78,7 @@ def join_traffic(scene: Setup) -> None:
     for draft in scene.drives.values():
         for other in steady if not scene.has_said_speed(draft.id) else ():
             if draft.drive.exit == other.drive.exit and not same_arm(draft, other):
-                draft.joins_mps = min(other.speed_mps, BODIES[draft.kind].top_speed_mps)
+                draft.joins_mps = min(other.speed_mps, draft.body.top_speed_mps)
 
 
 def _gains_speed_s(scene: Setup, draft: DriveDraft, other: DriveDraft, s_m: float) -> float:

@@ -168,7 +168,7 @@ def _suiting(plan: SignalPlan, shown: Iterable[_Shown]) -> SignalPlan:
     """The plan so much later that it shows what it is to, as well as it can."""
     best, best_worth = plan, -np.inf
     shown = list(shown)
-    exact = [_late_s(plan, each) for each in shown if each.after_s is not None]
+    exact = [_early_s(plan, each) for each in shown if each.after_s is not None]
     for late in (*exact, *np.arange(0.0, plan.cycle_s, _STEP_S)):
         tried = shifted(plan, float(late))
         worth = sum(_worth(tried, each) for each in shown)
@@ -183,16 +183,16 @@ def _wait_as_long(scene: Setup, shown: Sequence[_Shown]) -> None:
         own = next((each for each in shown if each.who == draft.id), None)
         if own is None or draft.waits is None or scene.signals is None:
             continue
-        cycle_s = scene.signals.cycle_s
-        early_s = (_late_s(scene.signals, own) + cycle_s / 2) % cycle_s - cycle_s / 2
+        early_s = _early_s(scene.signals, own)
         draft.waits = Wait(max(draft.waits.time_s - early_s, _LEAST_WAIT_S))
 
 
-def _late_s(plan: SignalPlan, shown: _Shown) -> float:
-    """By how much a plan must be later for green to begin so long before, less than a cycle."""
+def _early_s(plan: SignalPlan, shown: _Shown) -> float:
+    """By how much a plan is too early for green to begin so long before; below 0: too late."""
     group = plan.group_of(shown.arm, afoot=shown.afoot)
     begins_s = 0.0 if group is None else group.green_from_s
-    return (shown.time_s - (shown.after_s or 0.0) - begins_s) % plan.cycle_s
+    late_s = shown.time_s - (shown.after_s or 0.0) - begins_s
+    return (late_s + plan.cycle_s / 2) % plan.cycle_s - plan.cycle_s / 2
 
 
 def shifted(plan: SignalPlan, later_s: float) -> SignalPlan:
@@ -262,8 +262,7 @@ def _worth(plan: SignalPlan, shown: _Shown) -> float:
         return 0.0
     since = (shown.time_s - group.green_from_s) % plan.cycle_s
     if shown.after_s is not None:
-        off = (since - shown.after_s + plan.cycle_s / 2) % plan.cycle_s - plan.cycle_s / 2
-        return 2 * plan.cycle_s - 10 * _EXACTLY * abs(off)
+        return 2 * plan.cycle_s - 10 * _EXACTLY * abs(_early_s(plan, shown))
     begins, ends = plan.window_s(group, shown.wanted)
     ends = min(ends, begins + _WITHIN_S.get(shown.wanted, ends))
     after, before = _ROOM_S[shown.wanted]

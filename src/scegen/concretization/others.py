@@ -24,7 +24,7 @@ from scegen.scenario.concrete import (
     Travelled,
     Trigger,
 )
-from scegen.scenario.logical import Crossing, Standing
+from scegen.scenario.logical import Crossing
 from scegen.scenario.vocabulary import ANIMALS, HazardKind, ParticipantKind
 
 STOPS_SHORT_M = 0.15
@@ -200,8 +200,6 @@ class StandDraft:
     """One who stands, in the making."""
 
     id: str
-    kind: ParticipantKind
     body: Body
-    standing: Standing
     motion: StandingMotion
     path: Path

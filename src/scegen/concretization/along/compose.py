@@ -7,6 +7,8 @@ in time, and where one starts follows.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from scegen.claims.boxes import gap_m
@@ -69,12 +71,9 @@ def lay(story: Story) -> None:
     """
     last = [act for act in story.acts if is_timed_last(story, act)]
     waiting = perform_known(story, [a for a in story.acts if a not in last], placed=False)
-    kept = {name: (list(r.steps), list(r.moves), r.offset_m) for name, r in story.runners.items()}
-    begins, ends = dict(story.begins_s), dict(story.ends_s)
+    kept, begins, ends = story.runners, story.begins_s, story.ends_s
     for wider in _WIDER:
-        for name, (steps, moves, offset) in kept.items():
-            runner = story.runners[name]
-            runner.steps, runner.moves, runner.offset_m = list(steps), list(moves), offset
+        story.runners = {n: replace(r, steps=[*r.steps], moves=[*r.moves]) for n, r in kept.items()}
         story.begins_s, story.ends_s, story.walks = dict(begins), dict(ends), {}
         offset_all(story)
         place_all(story, wider=wider)
