@@ -13,11 +13,11 @@ from dataclasses import dataclass
 
 from scegen.concretization.clearance import same_lane, touches
 from scegen.concretization.drafts import DriveDraft, Wait
-from scegen.concretization.lights import lights_of, stands_at_red
+from scegen.concretization.lights import lay_lights, stands_at_red, wait_for_green
 from scegen.concretization.limits import APPROACH_S, HEADWAY_S, LEAD_IN_S
 from scegen.concretization.meetings import ORDINARY, Meeting
 from scegen.concretization.priorities import Manners, patient_ones
-from scegen.concretization.setup import Setup
+from scegen.concretization.setup import Setup, require_room
 from scegen.motion.rules.giving_way import must_give_way
 
 _ARM_MARGIN_M = 1.0
@@ -44,12 +44,12 @@ def arrange(scene: Setup, meetings: Sequence[Meeting], begins_s: float) -> None:
     duties = must_give_way(scene.functional, scene.logical)
     patient = patient_ones(scene, ordered, duties)
     by_pair = {frozenset((duty.yields, duty.other)): duty for duty in duties}
-    manners = Manners(lights_of(scene, placed), by_pair, patient)
+    lay_lights(scene, placed)
+    manners = Manners(scene, by_pair, patient)
     while len(placed) < len(scene.drives):
         place = _met(scene, ordered, placed) or _in_line(scene, placed) or _free(scene, placed)
         make_late(place, begins_s, manners)
         placed.append(place.draft)
-    scene.signals = manners.lights.plan if manners.lights is not None else None
 
 
 def _met(scene: Setup, meetings: Sequence[Meeting], placed: Sequence[DriveDraft]) -> Placing | None:
@@ -136,15 +136,19 @@ def _latest_s(scene: Setup, first_s: Mapping[str, float]) -> Iterator[float]:
             yield draft.offset_s + max(0.0, lead_in)
 
 
-def shortfall(scene: Setup) -> tuple[float, str]:
-    """By how much the arms are too short (m), and for whom."""
+def require_arms(scene: Setup) -> None:
+    """Ask for arms on which everybody can start where it is when the scenario begins.
+
+    Raises:
+        NeedsLongerArms: they are too short for somebody.
+    """
     short_m = {
         name: draft.body.rear_m + _ARM_MARGIN_M - draft.course.s_at(-draft.offset_s)
         for name, draft in scene.drives.items()
         if not draft.backs_out
     }
-    who = max(short_m, key=lambda name: short_m[name], default="")
-    return short_m.get(who, 0.0), who
+    for who in sorted(short_m, key=lambda name: -short_m[name])[:1]:
+        require_room(who, -short_m[who], 0.0, 0.0)
 
 
 def _first_places(scene: Setup, meetings: Sequence[Meeting]) -> dict[str, float]:
@@ -196,7 +200,7 @@ def make_late(place: Placing, begins_s: float, manners: Manners | None = None) -
                 continue
             usual = draft.offset_s if usual is None else usual
             if manners is not None:
-                manners.wait(draft)
+                wait_for_green(manners.scene, draft)
                 if not manners.settle(draft, people):
                     _wait_again(before)
                     continue
@@ -210,7 +214,7 @@ def make_late(place: Placing, begins_s: float, manners: Manners | None = None) -
             _wait_again(before)
     draft.offset_s = place.offset_s if usual is None else usual
     if manners is not None:
-        manners.wait(draft)
+        wait_for_green(manners.scene, draft)
 
 
 def _wait_again(before: Mapping[DriveDraft, Wait | None]) -> None:

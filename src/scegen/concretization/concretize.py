@@ -11,7 +11,7 @@ from scegen.concretization.along.parked import opens
 from scegen.concretization.answering import answer, note_answers
 from scegen.concretization.aside import keep_aside
 from scegen.concretization.assemble import assemble
-from scegen.concretization.clock import schedule, shortfall
+from scegen.concretization.clock import require_arms, schedule
 from scegen.concretization.deeds import do_acts, lead_in_missing_s, stand_in_line
 from scegen.concretization.drafts import DriveDraft, Wait
 from scegen.concretization.encounters import conflict_meetings, join_traffic
@@ -179,9 +179,7 @@ def _start(scene: Setup, meetings: list[Meeting]) -> None:
     schedule(scene, meetings)
     do_acts(scene)
     _with_lead_in(scene)
-    short, who = shortfall(scene)
-    if short > 0:
-        raise NeedsLongerArms(short, who)
+    require_arms(scene)
     answer(traffic_of(scene))
     note_answers(scene, scene.drives)
     reasons = {m.second: f"{m.reason} with {m.first}" for m in reversed(meetings) if m.reason}

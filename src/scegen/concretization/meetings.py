@@ -5,15 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from itertools import pairwise
 from math import cos, sin
-from typing import Protocol
+from typing import TypeAlias
 
 import numpy as np
 
 from scegen.concretization.drafts import DriveDraft
+from scegen.concretization.others import WalkDraft
 from scegen.measures.grounds import Ground, grounds
 from scegen.measures.remembering import remembered
 from scegen.motion.model import Array, Path
-from scegen.scenario.bodies import Body
 
 _SAMPLE_M = 1.0
 _OPPOSED = -0.85
@@ -24,6 +24,10 @@ _STEP_M, _AGAIN = 0.05, 5
 STRUCTURAL, DANGER, DANGER_TO_OTHERS, ORDINARY, BYSTANDER = -1, 1, 2, 3, 4
 """Priorities of meetings: what a manoeuvre's shape needs, dangers to or by the ego, dangers
 between others, meetings without danger, and those who have no part in the text's dangers."""
+
+
+Way: TypeAlias = DriveDraft | WalkDraft
+"""One who has a way and goes along it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,16 +66,6 @@ def sampled(path: Path) -> tuple[Array, Array, Array, Array]:
     count = max(2, int(path.length_m / _SAMPLE_M) + 1)
     s = np.linspace(0.0, path.length_m, count)
     return s, *path.places(s)
-
-
-class Way(Protocol):
-    """One who has a way and goes along it."""
-
-    body: Body
-
-    @property
-    def path(self) -> Path:
-        """Its line."""
 
 
 def first_ground(one: Way, other: Way) -> Ground | None:

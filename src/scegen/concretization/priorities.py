@@ -12,7 +12,6 @@ from math import inf
 
 from scegen.concretization.clearance import grounds_s
 from scegen.concretization.drafts import DriveDraft, Wait
-from scegen.concretization.lights import Lights
 from scegen.concretization.limits import STOPS_FOR_S
 from scegen.concretization.meetings import ORDINARY, Meeting
 from scegen.concretization.setup import Setup
@@ -39,18 +38,13 @@ _SIGNED = frozenset({Control.YIELD, Control.STOP, Control.ALL_WAY_STOP})
 class Manners:
     """What whoever is placed keeps to: its light, and the right of way of those placed before.
 
-    ``duties`` are by the two whom they are between, ``patient`` those who may be let wait at their
-    line.
+    The light is the scene's. ``duties`` are by the two whom they are between, ``patient`` those who
+    may be let wait at their line.
     """
 
-    lights: Lights | None
+    scene: Setup
     duties: Mapping[frozenset[str], Duty]
     patient: frozenset[str]
-
-    def wait(self, draft: DriveDraft) -> None:
-        """Let a drive wait for its green, where it has to."""
-        if self.lights is not None:
-            self.lights.wait(draft)
 
     def settle(self, draft: DriveDraft, people: Sequence[DriveDraft]) -> bool:
         """Let those wait who would take another's way where a drive is as late as it is.
