@@ -22,6 +22,7 @@ from scegen.concretization.amounts import (
 from scegen.concretization.answering import answer, brake_for, last_that
 from scegen.concretization.limits import REACTION_S
 from scegen.concretization.profile import SpeedChange
+from scegen.concretization.tale import at_odds
 from scegen.concretization.traffic import (
     Contact,
     Traffic,
@@ -167,7 +168,7 @@ def _put_off(story: Story, name: str, by_s: float) -> None:
 
 def _follow(story: Story, contact: Contact) -> bool:
     """Let one that nothing is told of follow another, as drivers in traffic do; whether it can."""
-    if contact.other not in story.runners or story.concern(*contact[1:]):
+    if contact.other not in story.runners or at_odds(story.functional, *contact[1:]):
         return False
     who, other = (story.runners[name] for name in contact[1:])
     alone = not (who.steps or who.moves or other.moves)
