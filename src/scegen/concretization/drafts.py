@@ -87,7 +87,6 @@ class DriveDraft:
     backs_to: str | None = None
     alone_s_m: tuple[float, float] | None = None
     laid_: LaidDrive | None = None
-    line_back_m: float = 0.0
     waits: Wait | None = None
 
     def braking_mps2(self, wanted_mps2: float) -> float:
@@ -136,7 +135,7 @@ class DriveDraft:
     @property
     def stop_line_s_m(self) -> float:
         """Arc length at the stop line of the entry arm."""
-        return self.junction_s_m - self.line_back_m
+        return self.junction_s_m - self.laid.stretches[0].road.stop_line_m
 
     @property
     def arrives_s_m(self) -> float:
@@ -201,7 +200,6 @@ class DriveDraft:
         """Lay the drive out anew, after lanes or lane changes have changed."""
         self.lane_changes.sort(key=lambda change: change.position_m)
         motion = self.motion()
-        self.line_back_m = network.arm_road(motion.entry).stop_line_m
         self.laid_, self.exit_lane = lay_towards(network, motion, self.id)
 
     def take_lane(self, network: RoadNetwork, lane: int) -> None:

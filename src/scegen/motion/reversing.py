@@ -19,12 +19,12 @@ from scegen.motion.lanes import arm_lane_id
 from scegen.motion.model import Array, LaneSpan, Path
 from scegen.motion.polyline import CURVE_STEP_M, LINE_STEP_M, LaidDrive, lay_polyline, passed_m
 from scegen.motion.routing import walk_route
-from scegen.motion.standing import side_sign
 from scegen.motion.stretches import Stretch
 from scegen.road.geometry import Pose
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import DriveMotion
 from scegen.scenario.reversing import BacksOut, BacksUp
+from scegen.scenario.vocabulary import Side
 
 ROLLS_M = 0.3
 """Everybody rolls forwards so far, at least, before reversing: players take the sense in which a
@@ -53,7 +53,7 @@ def lay_way(
     if reversal is None:
         return onwards
     if reversal.straight_m is not None:
-        inwards = _straight_out(network, motion, reversal, onwards.path.start, who)
+        inwards = _straight_out(network, motion, reversal, onwards.path.start)
     elif reversal.arm is not None:
         inwards = _into_arm(network, motion, reversal.arm, reversal.setback_m, who)
     else:
@@ -139,7 +139,7 @@ def _into_arm(
 
 
 def _straight_out(
-    network: RoadNetwork, motion: DriveMotion, reversal: BacksOut, joins: Pose, who: str
+    network: RoadNetwork, motion: DriveMotion, reversal: BacksOut, joins: Pose
 ) -> LaidDrive:
     """Forwards on a straight line to where it stands, on its arm or square to its road."""
     if reversal.arm is not None:
@@ -147,7 +147,7 @@ def _straight_out(
         t = road.lane_centre_t_m(arm_lane_id(road, 1, inbound=False))
         stands = road.line.pose(road.length_m - reversal.setback_m, t).reversed()
     else:
-        sign, aside_m = _aside_m(network, motion, reversal, who)
+        sign, aside_m = _aside_m(network, motion, reversal)
         beside = joins.shifted(left_m=sign * aside_m)
         stands = replace(beside, heading_rad=joins.heading_rad + sign * pi / 2)
     away_m = reversal.straight_m or 0.0
@@ -159,13 +159,9 @@ def _straight_out(
     )
 
 
-def _aside_m(
-    network: RoadNetwork, motion: DriveMotion, reversal: BacksOut, who: str
-) -> tuple[int, float]:
+def _aside_m(network: RoadNetwork, motion: DriveMotion, reversal: BacksOut) -> tuple[int, float]:
     """To which side of its lane it stands (1: left), and how far from the middle of that."""
-    if reversal.side is None:
-        raise MotionInfeasibleError("backs out of nowhere", where=who)
-    road, sign = network.arm_road(motion.entry), side_sign(reversal.side)
+    road, sign = network.arm_road(motion.entry), 1 if reversal.side is Side.LEFT else -1
     t = road.lane_centre_t_m(arm_lane_id(road, motion.entry_lane, inbound=True))
     return sign, abs(road.edge_t_m(sign) - t) + reversal.setback_m
 
@@ -174,7 +170,7 @@ def _beside(
     network: RoadNetwork, motion: DriveMotion, reversal: BacksOut, joins: Pose, who: str
 ) -> LaidDrive:
     """Forwards from where the drive starts, in a quarter turn and straight on, off the road."""
-    (sign, aside_m), radius = _aside_m(network, motion, reversal, who), reversal.radius_m
+    (sign, aside_m), radius = _aside_m(network, motion, reversal), reversal.radius_m
     if aside_m < radius:
         raise MotionInfeasibleError(
             f"backs out from {aside_m:.1f} m beside its lane on arm {motion.entry}; a quarter turn "
