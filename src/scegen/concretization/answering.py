@@ -17,9 +17,9 @@ from scegen.concretization.amounts import (
     hardest_mps2,
 )
 from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, REACTION_S
-from scegen.concretization.profile import Sort, SpeedChange
+from scegen.concretization.profile import Mover, Sort, SpeedChange
 from scegen.concretization.tale import Tale
-from scegen.concretization.traffic import Contact, Mover, Traffic, goes_along, leaves_room, unwanted
+from scegen.concretization.traffic import Contact, Traffic, goes_along, leaves_room, unwanted
 from scegen.motion.trigger_steps import STEP_S
 from scegen.scenario.acts import Act
 from scegen.scenario.vocabulary import HazardKind

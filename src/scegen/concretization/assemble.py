@@ -101,8 +101,8 @@ def _trigger(scene: Setup, draft: DriveDraft, phase: SpeedChange) -> Trigger:
     passed or it is green.
     """
     moment_s = draft.offset_s + phase.begins_s
-    if draft.waits_s is not None and phase is draft.course.going_on:
-        passing = [scene.drives[draft.lets_by]] if draft.lets_by is not None else []
+    if draft.waits is not None and phase is draft.course.going_on:
+        passing = [scene.drives[draft.waits.lets_by]] if draft.waits.lets_by is not None else []
         why = (
             f"{passing[0].id} has passed, who has right of way" if passing else "its light is green"
         )

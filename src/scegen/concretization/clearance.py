@@ -7,7 +7,6 @@ keeps two apart is a range of differences that is taken: no contact, a headway, 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from math import inf
 from typing import NamedTuple
 
@@ -38,38 +37,32 @@ class Line(NamedTuple):
     earlier_s: Array
 
 
-@dataclass
-class Differences:
-    """What the courses of drives leave to how late they are, asked for however late they are.
+def touches(one: DriveDraft, others: Iterable[DriveDraft], room_s: float, begins_s: float) -> bool:
+    """Whether a drive as late as it is ever touches any of the others, or comes so near in time.
 
-    ``begins_s`` is when the scenario does: nobody is in anybody's way before.
+    The scenario begins at ``begins_s``: nobody is in anybody's way before.
     """
+    return any(_touch(one, two, room_s, begins_s) for two in others if two is not one)
 
-    begins_s: float
 
-    def touch(self, one: DriveDraft, two: DriveDraft, room_s: float) -> bool:
-        """Whether two as late as they are ever touch, or come so near in time."""
-        # What is known of two is kept in one order only.
-        first, second = (one, two) if one.id < two.id else (two, one)
-        first_s, second_s = first.offset_s, second.offset_s
-        if any(
-            first_s + shared.enter_m < second_s + shared.other_leaves_m + room_s
-            and second_s + shared.other_enters_m < first_s + shared.leave_m + room_s
-            for shared in grounds_s(first, second)
-        ):
+def _touch(one: DriveDraft, two: DriveDraft, room_s: float, begins_s: float) -> bool:
+    # What is known of two is kept in one order only.
+    first, second = (one, two) if one.id < two.id else (two, one)
+    first_s, second_s = first.offset_s, second.offset_s
+    if any(
+        first_s + shared.enter_m < second_s + shared.other_leaves_m + room_s
+        and second_s + shared.other_enters_m < first_s + shared.leave_m + room_s
+        for shared in grounds_s(first, second)
+    ):
+        return True
+    for line in _lines(first, second):
+        # The one behind starts somewhere on the line; what lies before that is nothing to it.
+        here = _index(line.one_m, first.course.s_at(begins_s - first_s))
+        there = _index(line.other_m, second.course.s_at(begins_s - second_s))
+        later_s = second_s - first_s
+        if later_s < line.later_s[there] + room_s and -later_s < line.earlier_s[here] + room_s:
             return True
-        for line in _lines(first, second):
-            # The one behind starts somewhere on the line; what lies before that is nothing to it.
-            here = _index(line.one_m, first.course.s_at(self.begins_s - first_s))
-            there = _index(line.other_m, second.course.s_at(self.begins_s - second_s))
-            later_s = second_s - first_s
-            if later_s < line.later_s[there] + room_s and -later_s < line.earlier_s[here] + room_s:
-                return True
-        return False
-
-    def touches(self, one: DriveDraft, others: Iterable[DriveDraft], room_s: float) -> bool:
-        """Whether a drive touches any of the others."""
-        return any(self.touch(one, two, room_s) for two in others if two is not one)
+    return False
 
 
 def same_lane(first: DriveDraft, second: DriveDraft) -> bool:

@@ -11,13 +11,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from scegen.concretization.clearance import Differences, same_lane
-from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.lights import lights_of, stands_at_red
+from scegen.concretization.clearance import same_lane, touches
+from scegen.concretization.drafts import DriveDraft, Wait
+from scegen.concretization.lights import lay_lights, stands_at_red, wait_for_green
 from scegen.concretization.limits import APPROACH_S, HEADWAY_S, LEAD_IN_S
 from scegen.concretization.meetings import ORDINARY, Meeting
-from scegen.concretization.priorities import Manners, Waits, patient_ones
-from scegen.concretization.setup import Setup
+from scegen.concretization.priorities import Manners, patient_ones
+from scegen.concretization.setup import Setup, require_room
 from scegen.motion.rules.giving_way import must_give_way
 
 _ARM_MARGIN_M = 1.0
@@ -32,24 +32,24 @@ _STEP_S = 0.5
 LONGEST_S = 40.0
 
 
-def arrange(scene: Setup, meetings: Sequence[Meeting], differences: Differences) -> None:
-    """Fix how late every drive is on the ego's timeline, on which all begin at a time."""
+def arrange(scene: Setup, meetings: Sequence[Meeting], begins_s: float) -> None:
+    """Fix how late every drive is on the ego's timeline, on which all begin at ``begins_s``."""
     scene.ego.offset_s = 0.0
     placed = [scene.ego]
     ordered = sorted(meetings, key=lambda m: m.priority)
     dangers = [m for m in ordered if m.priority < ORDINARY]
     while (place := _met(scene, dangers, placed)) is not None:
-        make_late(place, differences)
+        make_late(place, begins_s)
         placed.append(place.draft)
     duties = must_give_way(scene.functional, scene.logical)
     patient = patient_ones(scene, ordered, duties)
     by_pair = {frozenset((duty.yields, duty.other)): duty for duty in duties}
-    manners = Manners(lights_of(scene, placed), by_pair, patient)
+    lay_lights(scene, placed)
+    manners = Manners(scene, by_pair, patient)
     while len(placed) < len(scene.drives):
         place = _met(scene, ordered, placed) or _in_line(scene, placed) or _free(scene, placed)
-        make_late(place, differences, manners)
+        make_late(place, begins_s, manners)
         placed.append(place.draft)
-    scene.signals = manners.lights.plan if manners.lights is not None else None
 
 
 def _met(scene: Setup, meetings: Sequence[Meeting], placed: Sequence[DriveDraft]) -> Placing | None:
@@ -106,18 +106,16 @@ def schedule(scene: Setup, meetings: Sequence[Meeting]) -> None:
     has ``APPROACH_S`` until its own.
     """
     first_s = _first_places(scene, meetings)
-    ego, waits = scene.ego, Waits.of(scene.drives.values())
-    approach_s = 0.0 if ego.backs_out else ego.course.time_at(first_s[ego.id]) - APPROACH_S
-    differences = Differences(approach_s)
+    ego, waits = scene.ego, {draft: draft.waits for draft in scene.drives.values()}
+    begins_s = 0.0 if ego.backs_out else ego.course.time_at(first_s[ego.id]) - APPROACH_S
     for _ in range(_ROUNDS):
-        arrange(scene, meetings, differences)
-        assumed_s = differences.begins_s
-        differences.begins_s = min([assumed_s, *_latest_s(scene, first_s)])
-        if differences.begins_s >= assumed_s - _SAME_S:
+        arrange(scene, meetings, begins_s)
+        assumed_s, begins_s = begins_s, min([begins_s, *_latest_s(scene, first_s)])
+        if begins_s >= assumed_s - _SAME_S:
             break
-        waits.restore()
+        _wait_again(waits)
     for draft in scene.drives.values():
-        draft.offset_s -= differences.begins_s
+        draft.offset_s -= begins_s
 
 
 def _latest_s(scene: Setup, first_s: Mapping[str, float]) -> Iterator[float]:
@@ -138,15 +136,19 @@ def _latest_s(scene: Setup, first_s: Mapping[str, float]) -> Iterator[float]:
             yield draft.offset_s + max(0.0, lead_in)
 
 
-def shortfall(scene: Setup) -> tuple[float, str]:
-    """By how much the arms are too short (m), and for whom."""
+def require_arms(scene: Setup) -> None:
+    """Ask for arms on which everybody can start where it is when the scenario begins.
+
+    Raises:
+        NeedsLongerArms: they are too short for somebody.
+    """
     short_m = {
         name: draft.body.rear_m + _ARM_MARGIN_M - draft.course.s_at(-draft.offset_s)
         for name, draft in scene.drives.items()
         if not draft.backs_out
     }
-    who = max(short_m, key=lambda name: short_m[name], default="")
-    return short_m.get(who, 0.0), who
+    for who in sorted(short_m, key=lambda name: -short_m[name])[:1]:
+        require_room(who, -short_m[who], 0.0, 0.0)
 
 
 def _first_places(scene: Setup, meetings: Sequence[Meeting]) -> dict[str, float]:
@@ -179,7 +181,7 @@ class Placing:
     waits: bool = True
 
 
-def make_late(place: Placing, differences: Differences, manners: Manners | None = None) -> None:
+def make_late(place: Placing, begins_s: float, manners: Manners | None = None) -> None:
     """Let a drive be as late as is next to its placing and lets it touch none of the others.
 
     Where none is free, the first that is free of those of its lane. With ``manners`` nobody takes
@@ -187,29 +189,35 @@ def make_late(place: Placing, differences: Differences, manners: Manners | None 
     """
     draft, manners = place.draft, manners if place.waits else None
     people = [draft, *place.clear, *place.near]
-    before = Waits.of(people)
+    before = {each: each.waits for each in people}
     line = [each for each in place.clear if same_lane(draft, each)]
     others = [each for each in place.clear if each not in line]
     usual: float | None = None
     for k in range(int(place.within_s / _STEP_S) + 1):
         for sign in (place.direction,) if place.direction else (1, -1):
             draft.offset_s = place.offset_s + sign * k * _STEP_S
-            if differences.touches(draft, line, place.headway_s):
+            if touches(draft, line, place.headway_s, begins_s):
                 continue
             usual = draft.offset_s if usual is None else usual
             if manners is not None:
-                manners.wait(draft)
+                wait_for_green(manners.scene, draft)
                 if not manners.settle(draft, people):
-                    before.restore()
+                    _wait_again(before)
                     continue
-            waiting = before.changed()
+            waiting = [each for each, waits in before.items() if each.waits != waits]
             if not (
-                differences.touches(draft, others, _ROOM_S)
-                or (draft in waiting and differences.touches(draft, line, place.headway_s))
-                or any(differences.touches(one, people, _ROOM_S) for one in waiting)
+                touches(draft, others, _ROOM_S, begins_s)
+                or (draft in waiting and touches(draft, line, place.headway_s, begins_s))
+                or any(touches(one, people, _ROOM_S, begins_s) for one in waiting)
             ):
                 return
-            before.restore()
+            _wait_again(before)
     draft.offset_s = place.offset_s if usual is None else usual
     if manners is not None:
-        manners.wait(draft)
+        wait_for_green(manners.scene, draft)
+
+
+def _wait_again(before: Mapping[DriveDraft, Wait | None]) -> None:
+    """Let everybody wait as it did."""
+    for draft, waits in before.items():
+        draft.waits = waits

@@ -11,9 +11,9 @@ from scegen.concretization.along.parked import opens
 from scegen.concretization.answering import answer, note_answers
 from scegen.concretization.aside import keep_aside
 from scegen.concretization.assemble import assemble
-from scegen.concretization.clock import schedule, shortfall
+from scegen.concretization.clock import require_arms, schedule
 from scegen.concretization.deeds import do_acts, lead_in_missing_s, stand_in_line
-from scegen.concretization.drafts import DriveDraft
+from scegen.concretization.drafts import DriveDraft, Wait
 from scegen.concretization.encounters import conflict_meetings, join_traffic
 from scegen.concretization.fitting import conditioned, fit
 from scegen.concretization.leaving import leave_lanes, shape_maneuvers
@@ -38,14 +38,12 @@ from scegen.errors import MotionInfeasibleError
 from scegen.motion.rules.stopping import must_stop
 from scegen.road import build_network
 from scegen.scenario.acts import ActKind
-from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.signals import AtLight
 from scegen.scenario.vocabulary import HazardKind, Maneuver
 
-_ATTEMPTS = 30
 _ARM_STEP_M = 10.0
 _SPARE = 0.15
 _SLOWEST_MPS = 1.0
@@ -85,7 +83,7 @@ def _on_long_enough_arms(
 ) -> ConcreteScenario:
     arm_m = first_m = first_arm_m(logical)
     acts = acts_of(functional, logical)
-    for _ in range(_ATTEMPTS):
+    while True:
         parameters = plan(functional, logical, arm_m)
         network = build_network(parameters)
         # The same draws in every attempt: lengthening the road must not change the rest.
@@ -102,7 +100,6 @@ def _on_long_enough_arms(
                     where=need.who,
                     hint="Give longer arms, or fewer or slower vehicles.",
                 ) from need
-    raise MotionInfeasibleError(f"no arm length up to {arm_m:.0f} m lets everybody in and out")
 
 
 def _long_enough_m(arm_m: float, missing_m: float, first_m: float) -> float:
@@ -149,13 +146,12 @@ def _draft(scene: Setup, drive: Drive) -> DriveDraft:
     fast = scene.kinds_by(participant.id) & _FAST
     return DriveDraft(
         id=participant.id,
-        kind=participant.kind,
         body=participant.body,
         drive=drive,
         speed_mps=cruise,
         lateral_mps2=FAST_LATERAL_MPS2 if fast else LATERAL_MPS2,
         grip_mps2=scene.grip_mps2,
-        waits_s=waits_s,
+        waits=None if waits_s is None else Wait(waits_s),
         stops_at_line=(
             participant.id in must_stop(scene.functional, scene.logical)
             and not scene.runs_into_standing(participant.id)
@@ -173,7 +169,7 @@ def _cruise_speed_mps(scene: Setup, participant: Participant, arm: int) -> float
     # Drawn in any case, so that one participant's range does not shift another's draws.
     drawn = 1.0 + float(scene.rng.uniform(-JITTER, JITTER))
     factor = scene.paces.setdefault((arm, pace.default), drawn)
-    top = BODIES[participant.kind].top_speed_mps
+    top = participant.body.top_speed_mps
     speed = max(min(max(pace.default * factor, pace.low), pace.high, top), _SLOWEST_MPS)
     scene.note(pace.name, speed, pace.reason)
     return speed
@@ -183,9 +179,7 @@ def _start(scene: Setup, meetings: list[Meeting]) -> None:
     schedule(scene, meetings)
     do_acts(scene)
     _with_lead_in(scene)
-    short, who = shortfall(scene)
-    if short > 0:
-        raise NeedsLongerArms(short, who)
+    require_arms(scene)
     answer(traffic_of(scene))
     note_answers(scene, scene.drives)
     reasons = {m.second: f"{m.reason} with {m.first}" for m in reversed(meetings) if m.reason}

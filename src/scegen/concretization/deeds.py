@@ -55,7 +55,9 @@ def do_acts(scene: Setup) -> None:
         if draft.stands:
             draft.offset_s = -STOOD_S
             continue
-        if isinstance(draft.reversal, BacksUp) and _stands_behind(scene, draft):
+        behind = (each for each in scene.drives.values() if each.stands)
+        boxed_in = any(ahead_on_arm(scene, each)[-1:] == [draft] for each in behind)
+        if isinstance(draft.reversal, BacksUp) and boxed_in:  # it cannot have come from there
             draft.offset_s = -draft.course.time_at(draft.path.backwards[0][0] - _ROLLS_M)
         if draft.parked_s_m is not None or draft.drive.reverses is Reverses.SQUARE:
             continue
@@ -73,12 +75,6 @@ def do_acts(scene: Setup) -> None:
             draft.offset_s += came_s - (phase.begins_s if phase is not None else came_s)
         else:
             _place(scene, draft)
-
-
-def _stands_behind(scene: Setup, draft: DriveDraft) -> bool:
-    """Whether somebody stands right behind all the time: it cannot have come from there."""
-    behind = (each for each in scene.drives.values() if each.stands)
-    return any(ahead_on_arm(scene, each)[-1:] == [draft] for each in behind)
 
 
 def stand_in_line(scene: Setup) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from math import sqrt
+from typing import NamedTuple
 
 from scegen.concretization.courses import Course, course_of
 from scegen.concretization.limits import (
@@ -25,13 +26,23 @@ from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import DriveMotion, LaneChange
 from scegen.scenario.logical import Drive
 from scegen.scenario.reversing import BacksOut, Reversal
-from scegen.scenario.vocabulary import Maneuver, ParticipantKind
+from scegen.scenario.vocabulary import Maneuver
 
 _SIDEWAYS = 0.9
 """The share of the grip that a bend may take."""
 _WORTH_IT, _ENDS_M, _NEAR_S = 0.98, 1.0, 3.0
 _SHORT_M = 1.0
 """From the front bumper of one who stops to the stop line, and as early before a bend."""
+
+
+class Wait(NamedTuple):
+    """How long one stands at its line, at red or until ``lets_by`` has passed.
+
+    Below 0: it goes on before it has come to rest.
+    """
+
+    time_s: float
+    lets_by: str | None = None
 
 
 @dataclass(eq=False)
@@ -47,13 +58,11 @@ class DriveDraft:
     it, ``parked_s_m`` where it stood beside the road at first.
     ``reversal`` is a part driven backwards; one that backs out (of arm ``from_arm``, if not from
     beside the road) joins its drive at station ``joins_m``. Within ``alone_s_m`` of its path only
-    the marks of dangers count. ``backs_to`` is somebody who crosses behind it. ``waits_s`` is how
-    long it stands at its line, at red or until ``lets_by`` has passed (below 0: it goes on before
-    it has come to rest). ``offset_s`` is how late it is against its course.
+    the marks of dangers count. ``backs_to`` is somebody who crosses behind it. ``waits`` at
+    its line. ``offset_s`` is how late it is against its course.
     """
 
     id: str
-    kind: ParticipantKind
     body: Body
     drive: Drive
     speed_mps: float
@@ -78,9 +87,7 @@ class DriveDraft:
     backs_to: str | None = None
     alone_s_m: tuple[float, float] | None = None
     laid_: LaidDrive | None = None
-    line_back_m: float = 0.0
-    waits_s: float | None = None
-    lets_by: str | None = None
+    waits: Wait | None = None
 
     def braking_mps2(self, wanted_mps2: float) -> float:
         """How hard it brakes if it wants to so much: as hard as its brakes and tyres can."""
@@ -128,7 +135,7 @@ class DriveDraft:
     @property
     def stop_line_s_m(self) -> float:
         """Arc length at the stop line of the entry arm."""
-        return self.junction_s_m - self.line_back_m
+        return self.junction_s_m - self.laid.stretches[0].road.stop_line_m
 
     @property
     def arrives_s_m(self) -> float:
@@ -193,7 +200,6 @@ class DriveDraft:
         """Lay the drive out anew, after lanes or lane changes have changed."""
         self.lane_changes.sort(key=lambda change: change.position_m)
         motion = self.motion()
-        self.line_back_m = network.arm_road(motion.entry).stop_line_m
         self.laid_, self.exit_lane = lay_towards(network, motion, self.id)
 
     def take_lane(self, network: RoadNetwork, lane: int) -> None:
@@ -230,8 +236,8 @@ class DriveDraft:
             first, _, slowest = narrow.pop() if near else (begin, end, speed)
             narrow.append((first, end, min(speed, slowest)))
         marks = [self._slow_before(begin, speed) for begin, _, speed in narrow]
-        if self.stops_at_line or self.waits_s is not None:
-            stands_s = STOPS_FOR_S if self.waits_s is None else self.waits_s
+        if self.stops_at_line or self.waits is not None:
+            stands_s = STOPS_FOR_S if self.waits is None else self.waits.time_s
             speed = narrow[0][2] if narrow else self.speed_mps
             on = SpeedChange(speed, faster, sort=Sort.GOES_ON, then_s=stands_s)
             marks[:1] = [self._slow_before(self.stop_line_s_m - self.body.front_m, 0.0, on)]

@@ -5,6 +5,8 @@ Those are causes and sufferers of dangers, then all whom the ego meets.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import (
     CLOSE_FOLLOWING_S,
@@ -26,7 +28,6 @@ from scegen.concretization.meetings import (
 )
 from scegen.concretization.setup import Setup
 from scegen.scenario.acts import GAINING, ActKind
-from scegen.scenario.bodies import BODIES
 from scegen.scenario.functional import Hazard
 from scegen.scenario.hazards import HAZARDS, Arrangement, Case, Motion
 from scegen.scenario.vocabulary import HazardKind, Maneuver
@@ -77,7 +78,7 @@ def join_traffic(scene: Setup) -> None:
     for draft in scene.drives.values():
         for other in steady if not scene.has_said_speed(draft.id) else ():
             if draft.drive.exit == other.drive.exit and not same_arm(draft, other):
-                draft.joins_mps = min(other.speed_mps, BODIES[draft.kind].top_speed_mps)
+                draft.joins_mps = min(other.speed_mps, draft.body.top_speed_mps)
 
 
 def _gains_speed_s(scene: Setup, draft: DriveDraft, other: DriveDraft, s_m: float) -> float:
@@ -89,8 +90,8 @@ def _gains_speed_s(scene: Setup, draft: DriveDraft, other: DriveDraft, s_m: floa
     return way_m / other.speed_mps if apart else 0.0
 
 
-def event_s_m(scene: Setup, draft: DriveDraft, hazard: Hazard) -> float:
-    """Where on its way a driver's danger happens.
+def event_s_m(scene: Setup, draft: DriveDraft, whom: Iterable[str]) -> float:
+    """Where on its way a driver's danger to others happens.
 
     Of one in the ring already, half way round; where it meets a sufferer; else on its entry arm,
     before it slows to turn.
@@ -98,7 +99,7 @@ def event_s_m(scene: Setup, draft: DriveDraft, hazard: Hazard) -> float:
     if draft.drive.circulating:
         laid = draft.laid
         return laid.path_s_m((laid.turning_starts_m + laid.turning_ends_m) / 2)
-    for victim in victims(scene, hazard, draft):
+    for victim in (scene.drives[n] for n in whom if n in scene.drives and n != draft.id):
         point = drives_meet(draft, victim)
         if point is not None:
             return point.first_s_m
@@ -132,8 +133,7 @@ def happens_s_m(scene: Setup, draft: DriveDraft, kind: HazardKind, act: ActKind)
     about = [hit_by] * bool(hit_by) + [h.to for h in hazards if draft.id in h.by and h.kind is kind]
     about += [h.by for h in hazards if draft.id in h.to]
     about += [h.to for h in hazards if draft.id in h.by]
-    hazard = Hazard(kind=kind, by=(draft.id,), to=about[0] if about else ())
-    place = event_s_m(scene, draft, hazard)
+    place = event_s_m(scene, draft, about[0] if about else ())
     if act in GAINING:
         return place - _BEFORE_S * draft.speed_mps
     walkers = stops_for_walkers(scene, draft)
@@ -227,7 +227,7 @@ def _close(
     scene: Setup, hazard: Hazard, cause: DriveDraft, sufferer: DriveDraft, priority: int
 ) -> Meeting:
     """On one arm: level in neighbouring lanes, close behind each other in one."""
-    place = max(5.0, event_s_m(scene, cause, hazard))
+    place = max(5.0, event_s_m(scene, cause, hazard.to))
     place = min([place, *(mark.s_m for mark in cause.marks if mark.hazard is hazard.kind)])
     if cause.entry_lane != sufferer.entry_lane:
         return Meeting(priority, cause.id, sufferer.id, place, place, 0.0, f"{hazard.kind}: level")

@@ -145,7 +145,8 @@ def _start_and_target(scene: Setup, draft: DriveDraft, other: DriveDraft | None)
     if said is None and draft.drive.changes_to is not None:
         said = outward(scene.functional, draft.drive.changes_to) < 0
     if said is None:
-        said = other is not None and draft.kind is ParticipantKind.BICYCLE
+        rides = scene.functional.participant(draft.id).kind is ParticipantKind.BICYCLE
+        said = other is not None and rides
     now = draft.entry_lane, wanted
     start, target = min(pairs, key=lambda p: (p != now, (p[0] > p[1]) != said, p[1] != wanted))
     if other is not None:
@@ -215,7 +216,7 @@ def shape_maneuvers(scene: Setup) -> list[Meeting]:
             meetings += _pass(scene, draft, (slow or goes_round)[-1], comes_back=comes_back)
             continue
         arms = {draft.drive.entry, draft.drive.exit}
-        past = any(s.standing.arm in arms for s in scene.stands.values()) or bool(ahead)
+        past = any(s.motion.arm in arms for s in scene.stands.values()) or bool(ahead)
         if draft.drive.maneuver in SIDEWAYS and not (past and comes_back):
             meetings += _free_change(scene, draft)
     return meetings

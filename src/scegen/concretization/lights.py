@@ -8,13 +8,12 @@ somebody meets a light, it is laid once more around everybody, when all times ar
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from math import isfinite
 from typing import NamedTuple
 
 import numpy as np
 
-from scegen.concretization.drafts import DriveDraft
+from scegen.concretization.drafts import DriveDraft, Wait
 from scegen.concretization.setup import Setup
 from scegen.concretization.walkers import leaves_s
 from scegen.motion.rules.intergreen import (
@@ -57,33 +56,32 @@ _EXACTLY = 10.0
 """So much more than room counts it that one sets off when that is said."""
 
 
-@dataclass(frozen=True)
-class Lights:
-    """The lights of a scene on the clock of its ego's course, and who must obey them."""
+def wait_for_green(scene: Setup, draft: DriveDraft) -> None:
+    """Let a drive stand at its line until green where there are lights: at red, or if it is said.
 
-    plan: SignalPlan
-    functional: FunctionalScenario
-    obeying: frozenset[str]
-
-    def wait(self, draft: DriveDraft) -> None:
-        """Let a drive stand at its line until green: at red, or if that is said."""
-        draft.waits_s = None
-        group = self.plan.group_of(draft.drive.entry)
-        if draft.id not in self.obeying or group is None:
-            return
-        since = (crosses_s(draft) - group.green_from_s) % self.plan.cycle_s
-        waits = self.functional.participant(draft.id).light is AtLight.WAITS
-        if since < group.green_s - _LATE_S and not waits:
-            return
-        delay_s = _green_delays_s(self.functional).get(draft.id)
-        goes = crosses_s(draft) + self.plan.cycle_s - since
-        goes += _STARTS_S if delay_s is None else delay_s
-        # One that sets off late has stood for longer: it came to rest before green.
-        least = _LEAST_WAIT_S if delay_s is None else delay_s + _STARTS_S
-        draft.waits_s = least
-        again = draft.course.going_on
-        longer = goes - (draft.offset_s + again.begins_s) if again is not None else 0.0
-        draft.waits_s = least + max(0.0, longer)
+    Who runs into one that stands on its arm comes no farther.
+    """
+    plan, functional = scene.signals, scene.functional
+    if plan is None:
+        return
+    draft.waits = None
+    group = plan.group_of(draft.drive.entry)
+    obeys = draft.id in must_obey(functional, scene.logical)
+    if group is None or not obeys or scene.runs_into_standing(draft.id):
+        return
+    since = (crosses_s(draft) - group.green_from_s) % plan.cycle_s
+    waits = functional.participant(draft.id).light is AtLight.WAITS
+    if since < group.green_s - _LATE_S and not waits:
+        return
+    delay_s = _green_delays_s(functional).get(draft.id)
+    goes = crosses_s(draft) + plan.cycle_s - since
+    goes += _STARTS_S if delay_s is None else delay_s
+    # One that sets off late has stood for longer: it came to rest before green.
+    least = _LEAST_WAIT_S if delay_s is None else delay_s + _STARTS_S
+    draft.waits = Wait(least)
+    again = draft.course.going_on
+    longer = goes - (draft.offset_s + again.begins_s) if again is not None else 0.0
+    draft.waits = Wait(least + max(0.0, longer))
 
 
 def stands_at_red(participant: Participant) -> bool:
@@ -111,19 +109,16 @@ class _Shown(NamedTuple):
     who: str = ""
 
 
-def lights_of(scene: Setup, placed: Collection[DriveDraft]) -> Lights | None:
-    """The lights under which those who are placed pass as they are to; None where there are none.
+def lay_lights(scene: Setup, placed: Collection[DriveDraft]) -> None:
+    """Lay the plan under which those who are placed pass as they are to, where there are lights.
 
     Of plans of equal green the one that suits them best, and gives the others green soonest.
     """
-    functional, logical = scene.functional, scene.logical
     if scene.road.control not in LIGHTS or scene.road.kind is JunctionKind.STRAIGHT:
-        return None
-    plan = _plan(scene, green_phases(functional, logical))
-    if plan.working:
-        plan = _suiting(plan, list(_driven(scene, placed)))
-    halted = {name for name in scene.drives if scene.runs_into_standing(name)}
-    return Lights(plan, functional, must_obey(functional, logical) - halted)
+        return
+    scene.signals = _plan(scene, green_phases(scene.functional, scene.logical))
+    if scene.signals.working:
+        scene.signals = _suiting(scene.signals, list(_driven(scene, placed)))
 
 
 def _green_delays_s(functional: FunctionalScenario) -> dict[str, float]:
@@ -168,7 +163,7 @@ def _suiting(plan: SignalPlan, shown: Iterable[_Shown]) -> SignalPlan:
     """The plan so much later that it shows what it is to, as well as it can."""
     best, best_worth = plan, -np.inf
     shown = list(shown)
-    exact = [_late_s(plan, each) for each in shown if each.after_s is not None]
+    exact = [_early_s(plan, each) for each in shown if each.after_s is not None]
     for late in (*exact, *np.arange(0.0, plan.cycle_s, _STEP_S)):
         tried = shifted(plan, float(late))
         worth = sum(_worth(tried, each) for each in shown)
@@ -181,18 +176,18 @@ def _wait_as_long(scene: Setup, shown: Sequence[_Shown]) -> None:
     """Several who set off so long after green, each: one plan can suit one of them only."""
     for draft in scene.drives.values():
         own = next((each for each in shown if each.who == draft.id), None)
-        if own is None or draft.waits_s is None or scene.signals is None:
+        if own is None or draft.waits is None or scene.signals is None:
             continue
-        cycle_s = scene.signals.cycle_s
-        early_s = (_late_s(scene.signals, own) + cycle_s / 2) % cycle_s - cycle_s / 2
-        draft.waits_s = max(draft.waits_s - early_s, _LEAST_WAIT_S)
+        early_s = _early_s(scene.signals, own)
+        draft.waits = Wait(max(draft.waits.time_s - early_s, _LEAST_WAIT_S))
 
 
-def _late_s(plan: SignalPlan, shown: _Shown) -> float:
-    """By how much a plan must be later for green to begin so long before, less than a cycle."""
+def _early_s(plan: SignalPlan, shown: _Shown) -> float:
+    """By how much a plan is too early for green to begin so long before; below 0: too late."""
     group = plan.group_of(shown.arm, afoot=shown.afoot)
     begins_s = 0.0 if group is None else group.green_from_s
-    return (shown.time_s - (shown.after_s or 0.0) - begins_s) % plan.cycle_s
+    late_s = shown.time_s - (shown.after_s or 0.0) - begins_s
+    return (late_s + plan.cycle_s / 2) % plan.cycle_s - plan.cycle_s / 2
 
 
 def shifted(plan: SignalPlan, later_s: float) -> SignalPlan:
@@ -262,8 +257,7 @@ def _worth(plan: SignalPlan, shown: _Shown) -> float:
         return 0.0
     since = (shown.time_s - group.green_from_s) % plan.cycle_s
     if shown.after_s is not None:
-        off = (since - shown.after_s + plan.cycle_s / 2) % plan.cycle_s - plan.cycle_s / 2
-        return 2 * plan.cycle_s - 10 * _EXACTLY * abs(off)
+        return 2 * plan.cycle_s - 10 * _EXACTLY * abs(_early_s(plan, shown))
     begins, ends = plan.window_s(group, shown.wanted)
     ends = min(ends, begins + _WITHIN_S.get(shown.wanted, ends))
     after, before = _ROOM_S[shown.wanted]

@@ -15,9 +15,9 @@ from scegen.concretization.aside import change_length_m
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.encounters import pairs, same_arm
 from scegen.concretization.leaving import goes_outwards
-from scegen.concretization.meetings import ways_touch
+from scegen.concretization.meetings import first_ground
 from scegen.concretization.roads import passing_who_hides
-from scegen.concretization.setup import NeedsLongerArms, Setup
+from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.tale import SIDEWAYS
 from scegen.concretization.turning_ways import abreast, is_outward, lanes_abreast
 from scegen.concretization.wishes import LIKELY, SAID, USUAL, Wish, least_broken
@@ -60,7 +60,7 @@ def choose_junction_lanes(scene: Setup) -> None:
     _, before = least_broken(options, placed)
     for name in _bound(scene, placed):
         options[name] = [before[name]]
-    blocked = any(stand.standing.in_lane for stand in scene.stands.values())
+    blocked = any(stand.motion.in_lane for stand in scene.stands.values())
     meetings = [] if blocked else [*_meetings(scene)]
     possible = [wish for wish in meetings if wish.can_be_met(options)]
     if any(wish.weight >= USUAL for wish in possible):
@@ -180,7 +180,7 @@ def _meetings(scene: Setup) -> Iterator[Wish]:
 
     @cache
     def meet(first: str, second: str, lanes: Lanes, others: Lanes) -> bool:
-        return ways_touch(way(first, lanes), way(second, others))
+        return first_ground(way(first, lanes), way(second, others)) is not None
 
     dangers = (pair for hazard in scene.functional.hazards for pair in pairs(scene, hazard))
     told = [((a.id, b.id), LIKELY) for a, b in dangers if not same_arm(a, b)]
@@ -194,7 +194,7 @@ def _meetings(scene: Setup) -> Iterator[Wish]:
 def _laid(scene: Setup, name: str, lanes: Lanes) -> DriveDraft:
     """A drive laid in some lanes; its own stay as they are."""
     known = scene.drives[name]
-    draft = DriveDraft(name, known.kind, known.body, known.drive, 1.0)
+    draft = DriveDraft(name, known.body, known.drive, 1.0)
     lanes.give(draft)
     draft.lane_changes = list(known.lane_changes)
     draft.lay(scene.network)
@@ -220,10 +220,10 @@ def _move_over(scene: Setup, lanes: Choice, first: DriveDraft, second: DriveDraf
             lane_after=lane,
         )
         over = change.position_m + change.length_m - own.laid.stretches[-1].end_m + END_MARGIN_M
-        if over > 0.0:
-            raise NeedsLongerArms(over + 1.0, draft.id)
+        require_room(draft.id, -over, 0.0)
         draft.lane_changes.append(change)
-        if ways_touch(*(_laid(scene, each.id, lanes[each.id]) for each in (draft, other))):
+        ways = (_laid(scene, each.id, lanes[each.id]) for each in (draft, other))
+        if first_ground(*ways) is not None:
             reason = f"moves over behind the junction, so that its way and that of {other.id} meet"
             scene.note(f"{draft.id}.exit_lane", lane, reason, own.exit_lane)
             return True

@@ -5,16 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from itertools import pairwise
 from math import cos, sin
-from typing import Protocol
+from typing import TypeAlias
 
 import numpy as np
 
 from scegen.concretization.drafts import DriveDraft
+from scegen.concretization.others import WalkDraft
 from scegen.measures.grounds import Ground, grounds
-from scegen.measures.nearest import least_gap_m
 from scegen.measures.remembering import remembered
 from scegen.motion.model import Array, Path
-from scegen.scenario.bodies import Body
 
 _SAMPLE_M = 1.0
 _OPPOSED = -0.85
@@ -25,6 +24,10 @@ _STEP_M, _AGAIN = 0.05, 5
 STRUCTURAL, DANGER, DANGER_TO_OTHERS, ORDINARY, BYSTANDER = -1, 1, 2, 3, 4
 """Priorities of meetings: what a manoeuvre's shape needs, dangers to or by the ego, dangers
 between others, meetings without danger, and those who have no part in the text's dangers."""
+
+
+Way: TypeAlias = DriveDraft | WalkDraft
+"""One who has a way and goes along it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,16 +66,6 @@ def sampled(path: Path) -> tuple[Array, Array, Array, Array]:
     count = max(2, int(path.length_m / _SAMPLE_M) + 1)
     s = np.linspace(0.0, path.length_m, count)
     return s, *path.places(s)
-
-
-class Way(Protocol):
-    """One who has a way and goes along it."""
-
-    body: Body
-
-    @property
-    def path(self) -> Path:
-        """Its line."""
 
 
 def first_ground(one: Way, other: Way) -> Ground | None:
@@ -164,11 +157,3 @@ def drives_meet(first: DriveDraft, second: DriveDraft) -> MeetingPoint | None:
 def _comes_back(draft: DriveDraft) -> bool:
     """Whether one leaves the lane of the oncoming again."""
     return any(a.lane_after == 0 < b.lane_after for a, b in pairwise(draft.lane_changes))
-
-
-def ways_touch(first: DriveDraft, second: DriveDraft) -> bool:
-    """Whether bodies on two ways can touch: the lines come closer than half of both widths."""
-    _, x1, y1, _ = sampled(first.path)
-    _, x2, y2, _ = sampled(second.path)
-    wide_m = (first.body.width_m + second.body.width_m) / 2
-    return least_gap_m(x1, y1, x2, y2, wide_m) < wide_m

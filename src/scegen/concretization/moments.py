@@ -75,11 +75,9 @@ def track(scene: Setup, name: str, times_s: Array) -> tuple[Boxes, Array]:
         way = np.minimum(way, walk.path.length_m)
         return box_on(walk.path, walk.body, way), speed
     still = np.zeros(len(times_s))
-    if name in scene.stands:
-        stand = scene.stands[name]
-        return box_on(stand.path, stand.body, still), still
-    thing = next(thing for thing in scene.objects if thing.id == name)
-    return box_on(object_path(thing), thing.body, still), still
+    there = {thing.id: (object_path(thing), thing.body) for thing in scene.objects}
+    there |= {stand.id: (stand.path, stand.body) for stand in scene.stands.values()}
+    return box_on(*there[name], still), still
 
 
 def too_long_m(scene: Setup, said: Spacing | WhenMeasure, time_s: float) -> float:

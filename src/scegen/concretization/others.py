@@ -9,8 +9,8 @@ import numpy as np
 
 from scegen.claims.boxes import Boxes, around
 from scegen.concretization.limits import WALKING_START_MPS2
-from scegen.concretization.profile import Profile
-from scegen.concretization.written import Comes, as_they_come
+from scegen.concretization.profile import Mover, Profile
+from scegen.concretization.written import as_they_come
 from scegen.motion.model import Array, Path
 from scegen.motion.standing import crossing_path
 from scegen.road.model import RoadNetwork
@@ -24,7 +24,7 @@ from scegen.scenario.concrete import (
     Travelled,
     Trigger,
 )
-from scegen.scenario.logical import Crossing, Standing
+from scegen.scenario.logical import Crossing
 from scegen.scenario.vocabulary import ANIMALS, HazardKind, ParticipantKind
 
 STOPS_SHORT_M = 0.15
@@ -124,7 +124,7 @@ class Walker:
         )
 
     def program_by(
-        self, met: Iterable[Comes], sets_off_s: float, length_m: float
+        self, met: Iterable[Mover], sets_off_s: float, length_m: float
     ) -> tuple[SpeedPhase, ...]:
         """Set off as one has come so far who is met, and come to rest just before its way ends.
 
@@ -200,8 +200,6 @@ class StandDraft:
     """One who stands, in the making."""
 
     id: str
-    kind: ParticipantKind
     body: Body
-    standing: Standing
     motion: StandingMotion
     path: Path

@@ -11,8 +11,7 @@ from dataclasses import dataclass
 from math import inf
 
 from scegen.concretization.clearance import grounds_s
-from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.lights import Lights
+from scegen.concretization.drafts import DriveDraft, Wait
 from scegen.concretization.limits import STOPS_FOR_S
 from scegen.concretization.meetings import ORDINARY, Meeting
 from scegen.concretization.setup import Setup
@@ -36,42 +35,16 @@ _SIGNED = frozenset({Control.YIELD, Control.STOP, Control.ALL_WAY_STOP})
 
 
 @dataclass(frozen=True)
-class Waits:
-    """Who waits at its line for how long and for whom, to go back to."""
-
-    _before: tuple[tuple[DriveDraft, float | None, str | None], ...]
-
-    @classmethod
-    def of(cls, drafts: Iterable[DriveDraft]) -> Waits:
-        """As it is now."""
-        return cls(tuple((d, d.waits_s, d.lets_by) for d in drafts))
-
-    def restore(self) -> None:
-        """As it was."""
-        for draft, waits_s, lets_by in self._before:
-            draft.waits_s, draft.lets_by = waits_s, lets_by
-
-    def changed(self) -> list[DriveDraft]:
-        """Those who wait otherwise than then."""
-        return [d for d, *before in self._before if [d.waits_s, d.lets_by] != before]
-
-
-@dataclass(frozen=True)
 class Manners:
     """What whoever is placed keeps to: its light, and the right of way of those placed before.
 
-    ``duties`` are by the two whom they are between, ``patient`` those who may be let wait at their
-    line.
+    The light is the scene's. ``duties`` are by the two whom they are between, ``patient`` those who
+    may be let wait at their line.
     """
 
-    lights: Lights | None
+    scene: Setup
     duties: Mapping[frozenset[str], Duty]
     patient: frozenset[str]
-
-    def wait(self, draft: DriveDraft) -> None:
-        """Let a drive wait for its green, where it has to."""
-        if self.lights is not None:
-            self.lights.wait(draft)
 
     def settle(self, draft: DriveDraft, people: Sequence[DriveDraft]) -> bool:
         """Let those wait who would take another's way where a drive is as late as it is.
@@ -111,20 +84,19 @@ class Manners:
 
     def _lets_by(self, late: DriveDraft, other: DriveDraft) -> bool:
         """Let one wait until another is before it, and gone as it comes; whether it can."""
-        waited_s, served = late.waits_s, late.lets_by
-        late.waits_s = STOPS_FOR_S
+        before, late.waits = late.waits, Wait(STOPS_FOR_S)
         on, stop = late.course.going_on, late.course.stop
         again = on.begins_s if on is not None else inf
         stops_s = stop.begins_s if stop is not None else again
         rests_s = again - STOPS_FOR_S
         # One that would still come too soon waits until the other is gone.
-        early = served != other.id
+        early = before is None or before.lets_by != other.id
         free_s = self._free_s(late, again if early else None, other) + other.offset_s
         wait_s = max(free_s - late.offset_s - rests_s, stops_s + _BRAKES_S - rests_s)
         if late.stops_at_line:
             wait_s = max(wait_s, STOPS_FOR_S)
-        late.waits_s, late.lets_by = wait_s, other.id
-        return (waited_s is None or wait_s > waited_s + _MORE_S) and wait_s < _LONGEST_S
+        late.waits = Wait(wait_s, other.id)
+        return (before is None or wait_s > before.time_s + _MORE_S) and wait_s < _LONGEST_S
 
     def _free_s(self, late: DriveDraft, again_s: float | None, other: DriveDraft) -> float:
         """When one may go on: the other is before it, and a little gone as it comes.

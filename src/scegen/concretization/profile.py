@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
+from typing import Protocol
 
 import numpy as np
 
 from scegen.motion.model import Array
+from scegen.scenario.bodies import Body
 from scegen.scenario.vocabulary import HazardKind
 
 
@@ -47,6 +50,30 @@ class SpeedChange:
     by_m: float = 0.0
     reacts_to: str | None = None
     timed: bool = False
+
+
+class Mover(Protocol):
+    """One who goes along a way and may brake; ``steps`` are the changes of its speed."""
+
+    id: str
+    body: Body
+    steps: list[SpeedChange]
+
+    @property
+    def speed_mps(self) -> float:
+        """The speed before all steps."""
+
+    def speed_at_mps(self, time_s: float) -> float:
+        """Its speed at a time of the scenario; 0 at the end of its way."""
+
+    def gone_m(self, time_s: float) -> float:
+        """How far it has come by then."""
+
+    def timing(self) -> Callable[[SpeedChange, float], SpeedChange]:
+        """What lets a step begin at a moment, as this one drives now."""
+
+    def after(self, step: SpeedChange, then_s: float) -> SpeedChange:
+        """A step that comes so long after the others are over."""
 
 
 NEVER_S = 1e6

@@ -102,12 +102,12 @@ def place_stationary(scene: Setup) -> None:
         motion = motion.model_copy(update={"from_junction_m": round(away, 3)})
         path = standing_path(scene.network, motion, body, name)
         scene.note(f"{name}.from_junction_m", away, "stands clear of the corner")
-        scene.stands[name] = StandDraft(name, participant.kind, body, standing, motion, path)
+        scene.stands[name] = StandDraft(name, body, motion, path)
 
 
 def blocking_m(scene: Setup, draft: DriveDraft) -> list[tuple[StandDraft, float]]:
     """Those who stand in a drive's way, and where on it that is."""
-    standing = [stand for stand in scene.stands.values() if stand.standing.in_lane]
+    standing = [stand for stand in scene.stands.values() if stand.motion.in_lane]
     found = [(stand, _met_m(draft, stand.path.start, stand.body)) for stand in standing]
     return [(stand, place) for stand, place in found if place is not None]
 
@@ -214,7 +214,7 @@ def pull_out(scene: Setup) -> list[Meeting]:
     """Let those drive who pull out; returns whom they meet in the lane, and where."""
     meetings: list[Meeting] = []
     for name, stand in list(scene.stands.items()):
-        if scene.functional.participant(name).pulls_out and not stand.standing.in_lane:
+        if scene.functional.participant(name).pulls_out and not stand.motion.in_lane:
             del scene.stands[name]
             draft = _draft(scene, stand)
             scene.drives[name] = draft
@@ -223,7 +223,7 @@ def pull_out(scene: Setup) -> list[Meeting]:
 
 
 def _draft(scene: Setup, stand: StandDraft) -> DriveDraft:
-    name, entry = stand.id, stand.standing.arm
+    name, entry = stand.id, stand.motion.arm
     if not heads_for_junction(scene.network, stand.motion):
         raise MotionInfeasibleError(
             "is parked on the other side of the road: one that pulls out there comes into nobody's "
@@ -237,7 +237,7 @@ def _draft(scene: Setup, stand: StandDraft) -> DriveDraft:
     lane, back = route.entry_lane, route.exit == entry
     turn, change_m = (Maneuver.U_TURN, _SWINGS_OUT_M) if back else (Maneuver.STRAIGHT, _CHANGE_M)
     draft = DriveDraft(
-        id=name, kind=stand.kind, body=stand.body,
+        id=name, body=stand.body,
         drive=Drive(
             participant=name, entry=entry, move=(route.exit - entry) % len(scene.road.arms),
             exit=route.exit, turn=turn, maneuver=turn,

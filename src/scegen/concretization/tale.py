@@ -67,6 +67,20 @@ def pace_of(functional: FunctionalScenario, logical: LogicalScenario, name: str)
     return pace.model_copy(update=exact)
 
 
+def at_odds(functional: FunctionalScenario, first: str, second: str) -> bool:
+    """Whether what is to happen is between these two: a danger, or how it ends.
+
+    Where the text tells of neither, it is between the ego and everybody.
+    """
+    pair, ego = {first, second}, functional.ego.id
+    outcome = functional.outcome
+    if outcome is not None and outcome.kind is not OutcomeKind.AVOIDED:
+        return pair <= {*outcome.between} if len(outcome.between) > 1 else ego in pair
+    if not functional.hazards:
+        return outcome is None and ego in pair
+    return any(pair <= {*hazard.by, *hazard.to} for hazard in functional.hazards)
+
+
 @dataclass
 class Tale:
     """Both levels (see ``as_meant``), and the acts spelled out in their order."""

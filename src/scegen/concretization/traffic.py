@@ -6,17 +6,16 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations, permutations
 from math import inf
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 import numpy as np
 
 from scegen.claims.boxes import Boxes, same_way, seen
 from scegen.concretization.amounts import BRAKING
 from scegen.concretization.boxes import apart
-from scegen.concretization.profile import SpeedChange
+from scegen.concretization.profile import Mover
 from scegen.concretization.tale import Tale
 from scegen.motion.model import Array
-from scegen.scenario.bodies import Body
 from scegen.scenario.outcome import OutcomeKind
 
 _BEFORE_S, _ALONG = 1.0, 0.5
@@ -30,23 +29,6 @@ class Contact(NamedTuple):
     time_s: float
     who: str
     other: str
-
-
-class Mover(Protocol):
-    """One who may brake; ``steps`` are the changes of its speed."""
-
-    body: Body
-    steps: list[SpeedChange]
-
-    @property
-    def speed_mps(self) -> float:
-        """The speed before all steps."""
-
-    def timing(self) -> Callable[[SpeedChange, float], SpeedChange]:
-        """What lets a step begin at a moment, as this one drives now."""
-
-    def after(self, step: SpeedChange, then_s: float) -> SpeedChange:
-        """A step that comes so long after the others are over."""
 
 
 @dataclass(frozen=True, slots=True)

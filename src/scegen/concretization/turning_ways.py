@@ -12,7 +12,7 @@ from dataclasses import asdict
 from itertools import combinations
 from math import radians, tan
 
-from scegen.concretization.tale import outward, side_of
+from scegen.concretization.tale import at_odds, outward, side_of
 from scegen.errors import MotionInfeasibleError
 from scegen.road.lane_choice import lane_ways
 from scegen.scenario.arms import arm_angles_deg, seen_from
@@ -55,23 +55,12 @@ def outer_of(functional: FunctionalScenario, drive: Drive, other: Drive) -> tupl
     if said is None:
         first, second = _bend(functional, drive), _bend(functional, other)
         turnless = functional.junction.kind in _WITHOUT_TURNS or first == second == 0
-        if turnless or not _at_odds(functional, drive, other):
+        if turnless or not at_odds(functional, *names):
             return None
         # Of two who turn alike one cuts across the other: rather not the ego.
         cuts = other.participant == functional.ego.id
         said = first < second if first != second else (first > 0) is not cuts
     return names if said else names[::-1]
-
-
-def _at_odds(functional: FunctionalScenario, drive: Drive, other: Drive) -> bool:
-    """Whether the danger is between the two: no other is asked for."""
-    pair = {drive.participant, other.participant}
-    if not functional.hazards:
-        return functional.ego.id in pair
-    return any(
-        pair & {*hazard.by} and (pair <= {*hazard.by, *hazard.to} or not hazard.to)
-        for hazard in functional.hazards
-    )
 
 
 def _bend(functional: FunctionalScenario, drive: Drive) -> int:
@@ -241,4 +230,5 @@ def _late_turns(
 def _meant(functional: FunctionalScenario, first: Drive, second: Drive) -> bool:
     """Whether these two are to meet: a danger between them, or the ego and nothing else said."""
     others = {d.id for d in functional.vehicles} | {c.id for c in functional.crossers}
-    return _at_odds(functional, first, second) and (bool(functional.hazards) or len(others) == 2)
+    pair = first.participant, second.participant
+    return at_odds(functional, *pair) and (bool(functional.hazards) or len(others) == 2)

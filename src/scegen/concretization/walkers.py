@@ -164,9 +164,9 @@ def _from_junction_m(scene: Setup, crossing: Crossing) -> float:
     hidden = [
         stand
         for stand in scene.stands.values()
-        if stand.standing.arm == crossing.arm
-        and not stand.standing.in_lane
-        and stand.standing.side is crossing.start
+        if stand.motion.arm == crossing.arm
+        and not stand.motion.in_lane
+        and stand.motion.side is crossing.start
     ]
     if not hidden:
         return _STRAIGHT_M if scene.network.plain else _UNMARKED_M
@@ -221,12 +221,6 @@ def _met_at(draft: DriveDraft, walk: WalkDraft, point: MeetingPoint) -> tuple[fl
     return line_s, Met(draft.id, draft.body, draft.speed_mps, middle_m, to_left)
 
 
-def _by_the_road(scene: Setup, walk: WalkDraft) -> bool:
-    """Whether it is told by the road alone where one stops."""
-    own = (s for s in scene.functional.spacings if s.participant == s.reference == walk.id)
-    return any(walk.stop is not None and said.at == walk.stop.id for said in own)
-
-
 def leaves_s(scene: Setup, name: str) -> float:
     """When one who stands at first sets off: as is said, or to meet whom it is to meet."""
     walk = scene.walks[name]
@@ -257,7 +251,8 @@ def stop_in_the_way(scene: Setup) -> None:
         _, met = _met_at(draft, walk, point)
         ahead_m = walk.body.centre_ahead_m
         rests = rests_m(scene, walk, met, centre_m=walk.path.length_m / 2 - ahead_m)
-        if not _by_the_road(scene, walk):
+        own = [s.at for s in scene.functional.spacings if s.participant == s.reference == walk.id]
+        if walk.stop is None or walk.stop.id not in own:  # else the road alone tells where
             aside_m = met.to_left * (rests - met.middle_m)
             reach_m = draft.body.front_m + walk.body.width_m / 2
             rests = before_front_m(draft.path, walk.path, point, reach_m, aside_m) - ahead_m

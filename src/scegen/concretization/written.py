@@ -7,9 +7,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from typing import Protocol
 
-from scegen.concretization.profile import SpeedChange
+from scegen.concretization.profile import Mover, SpeedChange
 from scegen.concretization.tale import Tale
 from scegen.motion.trigger_steps import just_before_step_s
 from scegen.scenario.concrete import (
@@ -33,19 +32,7 @@ if it is so a moment later: who comes to rest does so some centimetres short whe
 """
 
 
-class Comes(Protocol):
-    """One whose way so far may set another off."""
-
-    id: str
-
-    def speed_at_mps(self, time_s: float) -> float:
-        """Its speed at a time of the scenario; 0 at the end of its way."""
-
-    def gone_m(self, time_s: float) -> float:
-        """How far it has come by then."""
-
-
-def as_they_come(whose: Iterable[Comes], moment_s: float) -> Trigger:
+def as_they_come(whose: Iterable[Mover], moment_s: float) -> Trigger:
     """How far the first of them who drives on has come at a moment; that moment if nobody does."""
     moment_s = just_before_step_s(moment_s)
     for who in whose:

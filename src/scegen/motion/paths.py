@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
 from functools import lru_cache
 
 from scegen.errors import MotionInfeasibleError
@@ -52,22 +53,17 @@ def build_path(motion: Motion, body: Body, network: RoadNetwork, who: str) -> Pa
     return standing_path(network, motion, body, who)
 
 
+@dataclass(frozen=True, slots=True)
 class _Asked:
-    """One question for a way: the network itself, and all of a drive but where it turns.
+    """One question for a way: the ``same`` are the network itself, and all that shapes a drive.
 
-    That is told of a way and does not shape it; nor does who drives it.
+    Where it turns is told of a way and does not shape it; nor does who drives it.
     """
 
-    def __init__(self, network: RoadNetwork, motion: DriveMotion, who: str) -> None:
-        self.network, self.motion, self.who = network, motion, who
-        shape = (part for name, part in motion if name not in _TOLD)
-        self._same = id(network), *shape
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Asked) and other._same == self._same
-
-    def __hash__(self) -> int:
-        return hash(self._same)
+    same: tuple[object, ...]
+    network: RoadNetwork = field(compare=False)
+    motion: DriveMotion = field(compare=False)
+    who: str = field(compare=False)
 
 
 def lay_drive(network: RoadNetwork, motion: DriveMotion, who: str) -> LaidDrive:
@@ -90,7 +86,8 @@ def lay_drive(network: RoadNetwork, motion: DriveMotion, who: str) -> LaidDrive:
 
 def lay_towards(network: RoadNetwork, motion: DriveMotion, who: str) -> tuple[LaidDrive, int]:
     """The same, and the lane in which it ends; ``exit_lane`` is only a wish here."""
-    return _laid(_Asked(network, motion, who))
+    shape = (part for name, part in motion if name not in _TOLD)
+    return _laid(_Asked((id(network), *shape), network, motion, who))
 
 
 @lru_cache(maxsize=KEPT)

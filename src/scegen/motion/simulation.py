@@ -7,17 +7,15 @@ state from the next step on. At most one phase of a participant fires in a step.
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from collections.abc import Mapping
-from dataclasses import dataclass, field
-from math import cos, hypot, inf, radians, sin
-from typing import TypeAlias
+from dataclasses import astuple, dataclass, field
+from math import hypot, inf, radians
 
 import numpy as np
 
+from scegen.motion.footprints import box_corners
 from scegen.motion.model import NEGLIGIBLE, STANDING_MPS, Array, Path, Trace
 from scegen.road.geometry import Pose
-from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import (
     ArrivalBelow,
     AtTime,
@@ -31,7 +29,6 @@ from scegen.scenario.concrete import (
 )
 
 _ROUNDING = 1e-9
-Corners: TypeAlias = list[tuple[float, float]]
 
 
 @dataclass
@@ -49,12 +46,7 @@ class _Mover:
     v_log: list[float] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        # Plain lists: indexing numpy scalars one by one is several times slower.
-        self._s, self._x, self._y = (
-            a.tolist() for a in (self.path.s_m, self.path.x_m, self.path.y_m)
-        )
-        self.length_m = self._s[-1]
-        if self.length_m == 0.0:
+        if self.path.length_m == 0.0:
             self.speed_mps = 0.0
 
     def record(self, time_s: float) -> None:
@@ -71,8 +63,8 @@ class _Mover:
             gap = target - self.speed_mps
             self.speed_mps = target if abs(gap) <= step else self.speed_mps + np.sign(gap) * step
         self.s_m += self.speed_mps * dt_s
-        if self.s_m >= self.length_m:
-            self.s_m, self.speed_mps, self.active = self.length_m, 0.0, None
+        if self.s_m >= self.path.length_m:
+            self.s_m, self.speed_mps, self.active = self.path.length_m, 0.0, None
             self.fired = len(self.participant.speed_program)
 
     @property
@@ -80,18 +72,9 @@ class _Mover:
         return self.path.pose(self.s_m)
 
     @property
-    def box(self) -> Corners:
+    def box(self) -> Array:
         """The corners of its box where it is."""
-        return _corners(self.here, self.participant.body)
-
-    @property
-    def position_m(self) -> tuple[float, float]:
-        i = bisect_right(self._s, self.s_m)
-        if i >= len(self._s):
-            return self._x[-1], self._y[-1]
-        p = (self.s_m - self._s[i - 1]) / (self._s[i] - self._s[i - 1])
-        x0, y0 = self._x[i - 1], self._y[i - 1]
-        return x0 + p * (self._x[i] - x0), y0 + p * (self._y[i] - y0)
+        return box_corners(self.participant.body, *astuple(self.here))
 
 
 @dataclass
@@ -118,10 +101,6 @@ class _Guest(_Mover):
     @property
     def here(self) -> Pose:
         return self._pose
-
-    @property
-    def position_m(self) -> tuple[float, float]:
-        return self._pose.x_m, self._pose.y_m
 
 
 def simulate(
@@ -160,7 +139,7 @@ class Steps:
             for p in concrete.participants
         }
         self._things = {
-            o.id: _corners(Pose(o.x_m, o.y_m, radians(o.heading_deg)), o.body)
+            o.id: box_corners(o.body, o.x_m, o.y_m, radians(o.heading_deg))
             for o in concrete.objects
         }
         self._look()
@@ -231,50 +210,30 @@ def _holds(trigger: Trigger, owner: _Mover, movers: Mapping[str, _Mover], time_s
         return other.s_m >= trigger.distance_m - _ROUNDING
     if isinstance(trigger, StoodStill):
         return time_s - other.stands_since_s >= trigger.duration_s - _ROUNDING
+    here = other.here
     if isinstance(trigger, ArrivalBelow):
-        return _arrival_s(other, trigger.place_m) < trigger.time_s
-    ax, ay = owner.position_m
-    bx, by = other.position_m
-    return hypot(ax - bx, ay - by) < trigger.distance_m
+        place = other.path.pose(trigger.place_m)
+        return bool(arrivals_s(here, other.speed_mps, place) < trigger.time_s)
+    return hypot(owner.here.x_m - here.x_m, owner.here.y_m - here.y_m) < trigger.distance_m
 
 
-def _corners(pose: Pose, body: Body) -> Corners:
-    """The corners of the box of a body whose reference point is at a pose."""
-    ends = (body.front_m, -body.rear_m)
-    sides = (body.width_m / 2, -body.width_m / 2)
-    at = [pose.shifted(forward_m=ahead, left_m=left) for ahead in ends for left in sides]
-    return [(corner.x_m, corner.y_m) for corner in at]
-
-
-def _touch(one: Corners, other: Corners) -> bool:
+def _touch(one: Array, other: Array) -> bool:
     """Whether two rectangles share a point: seen along no side of either they lie apart."""
     for box in (one, other):
-        for to in (1, 2):
-            dx, dy = box[to][0] - box[0][0], box[to][1] - box[0][1]
-            first, second = ([x * dx + y * dy for x, y in corners] for corners in (one, other))
-            if max(first) < min(second) or max(second) < min(first):
+        for side in (box[1] - box[0], box[3] - box[0]):
+            first, second = one @ side, other @ side
+            if first.max() < second.min() or second.max() < first.min():
                 return False
     return True
 
 
-def _arrival_s(mover: _Mover, place_m: float) -> float:
-    """When a mover is at a place of its way if it goes straight there at its speed; inf: never."""
-    place, here = mover.path.pose(place_m), mover.here
-    dx, dy = place.x_m - here.x_m, place.y_m - here.y_m
-    ahead = dx * cos(here.heading_rad) + dy * sin(here.heading_rad) > 0.0
-    away = hypot(dx, dy)
-    if not ahead or away < NEGLIGIBLE or mover.speed_mps < NEGLIGIBLE:
-        return inf
-    return away / mover.speed_mps
-
-
-def arrivals_s(trace: Trace, place: Pose) -> Array:
-    """Time to arrival at a place in every step (steps,): the vector form of the trigger."""
-    dx, dy = place.x_m - trace.x_m, place.y_m - trace.y_m
+def arrivals_s(who: Pose | Trace, speed_mps: Array | float, place: Pose) -> Array:
+    """When one who is there is at a place if it goes straight to it at its speed; inf: never."""
+    dx, dy = place.x_m - who.x_m, place.y_m - who.y_m
     away = np.hypot(dx, dy)
-    ahead = dx * np.cos(trace.heading_rad) + dy * np.sin(trace.heading_rad) > 0.0
-    defined = ahead & (away >= NEGLIGIBLE) & (trace.speed_mps >= NEGLIGIBLE)
-    return np.where(defined, away / np.maximum(trace.speed_mps, NEGLIGIBLE), np.inf)
+    ahead = dx * np.cos(who.heading_rad) + dy * np.sin(who.heading_rad) > 0.0
+    defined = ahead & (away >= NEGLIGIBLE) & (np.asarray(speed_mps) >= NEGLIGIBLE)
+    return np.where(defined, away / np.maximum(speed_mps, NEGLIGIBLE), np.inf)
 
 
 def _trace(mover: _Mover, times: Array) -> Trace:

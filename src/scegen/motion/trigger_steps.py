@@ -65,7 +65,8 @@ def _clear(
     program: list[SpeedPhase] = []
     after = -1
     for n, phase in enumerate(participant.speed_program):
-        trigger, limit = phase.trigger, _limit(phase.trigger)
+        trigger = phase.trigger
+        limit = float(getattr(trigger, trigger.measured))
         values = _values(trigger, participant.id, traces, paths)
         rises = isinstance(trigger, AtTime | Travelled | StoodStill)
         step = _fires(values, limit, after, rises=rises)
@@ -100,10 +101,6 @@ def _ties(here: Array, limit: float) -> bool:
     return near and bool(np.isfinite(here).all()) and bool(abs(np.diff(here)).max() > 2 * _CLEAR)
 
 
-def _limit(trigger: Trigger) -> float:
-    return float(getattr(trigger, trigger.measured))
-
-
 def _values(
     trigger: Trigger, owner: str, traces: Mapping[str, Trace], paths: Mapping[str, Path]
 ) -> Array:
@@ -114,7 +111,8 @@ def _values(
     if isinstance(trigger, Travelled):
         return subject.s_m
     if isinstance(trigger, ArrivalBelow):
-        return arrivals_s(subject, paths[trigger.participant].pose(trigger.place_m))
+        place = paths[trigger.participant].pose(trigger.place_m)
+        return arrivals_s(subject, subject.speed_mps, place)
     if isinstance(trigger, StoodStill):
         return _stands_s(subject)
     return np.hypot(traces[owner].x_m - subject.x_m, traces[owner].y_m - subject.y_m)

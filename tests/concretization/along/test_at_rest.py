@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from gaps import gap_m
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from pydantic import ValidationError
@@ -12,7 +13,6 @@ from told import act, apart
 from scegen.concretization import concretize
 from scegen.concretization.along.compose import lay
 from scegen.concretization.along.reactions import traffic_of
-from scegen.concretization.along.runner import gap_m
 from scegen.concretization.along.telling import story_of
 from scegen.concretization.traffic import contacts
 from scegen.criticality import raise_criticality

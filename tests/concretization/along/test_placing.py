@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from gaps import gap_m
 from roads import AHEAD, BEHIND, LEFT_LANE, SCENARIOS, ego, one, road
 from told import act, apart
 
 from scegen.concretization.along.compose import lay
 from scegen.concretization.along.performing import perform_known
 from scegen.concretization.along.placing import place_all
-from scegen.concretization.along.runner import gap_m
 from scegen.concretization.along.telling import story_of
 from scegen.concretization.boxes import missing_m
 from scegen.enumeration import enumerate_scenarios

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from gaps import gap_m
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from roads import AHEAD, BEHIND, STAY, ego, kmh, one, road
@@ -10,7 +11,6 @@ from told import act, apart, as_soon_as
 
 from scegen.concretization.along.compose import lay
 from scegen.concretization.along.reactions import REACTION_S, traffic_of
-from scegen.concretization.along.runner import gap_m
 from scegen.concretization.along.telling import story_of
 from scegen.concretization.traffic import contacts
 from scegen.enumeration import enumerate_scenarios

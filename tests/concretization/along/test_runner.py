@@ -6,10 +6,11 @@ from itertools import accumulate
 
 import numpy as np
 import pytest
+from gaps import gap_m
 from hypothesis import given
 from hypothesis import strategies as st
 
-from scegen.concretization.along.runner import Move, Runner, gap_m
+from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.profile import NEVER_S, Profile, SpeedChange
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.vocabulary import ParticipantKind

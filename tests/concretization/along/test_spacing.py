@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from gaps import gap_m
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from scegen.concretization.along.runner import Runner, gap_m
+from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.spacing import GapAt, level, place
 from scegen.concretization.boxes import missing_m
 from scegen.concretization.profile import SpeedChange

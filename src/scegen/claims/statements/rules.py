@@ -17,7 +17,6 @@ from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools, Floats, Ints
 from scegen.motion.rules.lights import (
     RED_FOR_S,
-    at_dark_lights,
     at_lights,
     light_runners,
     must_obey,
@@ -33,6 +32,7 @@ from scegen.scenario.concrete import CrossingMotion
 from scegen.scenario.logical import Drive
 from scegen.scenario.model import Interval
 from scegen.scenario.signals import AtLight, SignalGroup, SignalPlan, SignalState
+from scegen.scenario.vocabulary import Control
 
 
 def claims(told: Told) -> Iterator[Claim]:
@@ -51,7 +51,8 @@ def claims(told: Told) -> Iterator[Claim]:
             when = f"at red, {RED_FOR_S} s or more after amber"
             test = partial(_shown, name, drives[name].entry, AtLight.RED)
         yield rule_claim(f"light.{name}", f"{name} goes over the line {when}", test, scale=2.0)
-    for name, drive in sorted(at_dark_lights(told.functional, told.logical).items()):
+    dark = at_lights(told.functional, told.logical, Control.SIGNALS_OFF)
+    for name, drive in sorted(dark.items()):
         statement = f"{name} goes over the line while its light is off"
         yield rule_claim(f"light.{name}", statement, partial(_passes_dark, drive), unit="1")
 

@@ -7,6 +7,8 @@ in time, and where one starts follows.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from scegen.claims.boxes import gap_m
@@ -69,12 +71,9 @@ def lay(story: Story) -> None:
     """
     last = [act for act in story.acts if is_timed_last(story, act)]
     waiting = perform_known(story, [a for a in story.acts if a not in last], placed=False)
-    kept = {name: (list(r.steps), list(r.moves), r.offset_m) for name, r in story.runners.items()}
-    begins, ends = dict(story.begins_s), dict(story.ends_s)
+    kept, begins, ends = story.runners, story.begins_s, story.ends_s
     for wider in _WIDER:
-        for name, (steps, moves, offset) in kept.items():
-            runner = story.runners[name]
-            runner.steps, runner.moves, runner.offset_m = list(steps), list(moves), offset
+        story.runners = {n: replace(r, steps=[*r.steps], moves=[*r.moves]) for n, r in kept.items()}
         story.begins_s, story.ends_s, story.walks = dict(begins), dict(ends), {}
         offset_all(story)
         place_all(story, wider=wider)
@@ -170,7 +169,7 @@ def _written(
         if name in story.parked:
             people.append(written_parked(story, frame, name))
         elif name in story.runners:
-            people.append(written_runner(story, frame, name))
+            people.append(written_runner(story, frame, network, name))
         elif name in story.walks:
             people.append(written_walk(story, frame, network, story.walks[name]))
     doors = opens(story.functional)
@@ -197,13 +196,7 @@ def _thing(story: Story, frame: Frame, network: RoadNetwork, name: str) -> Stati
     """A thing in somebody's lane, at its pose in the world."""
     runner = story.runners[name]
     thing = story.things[name]
-    beyond, y = frame.centre_m(runner.x_m(0.0)), runner.y_m(0.0)
-    line = network.arm_road(frame.ego_arm).line
-    if frame.curve is not None and beyond > 0.0:
-        line = network.arm_road(1 - frame.ego_arm).line.reversed()
-        pose = line.pose(beyond, y)
-    else:
-        pose = line.pose(line.length_m + frame.gaps_m[frame.ego_arm] + beyond, y)
+    pose = frame.pose(network, runner.x_m(0.0), runner.y_m(0.0))
     return made_of(name, shape_of(thing), thing.called, pose)
 
 

@@ -35,7 +35,7 @@ from scegen.scenario.vocabulary import Side
 _MEETS_S = 6.0
 _HOLDS_S = 0.6
 """The pace is held so long before the encounter."""
-_LEAST_LEAD_S = 1.0
+_LEAST_LEAD_S, _TOLD_LEAD_S = 1.0, 2.0
 BEFORE_WALKER_M = 0.9
 """Who stands, or is parked and hides somebody, does so that far before that one's line."""
 _LOOK_S = 0.05
@@ -85,7 +85,8 @@ def _walk(story: Story, crossing: Crossing) -> Walk:
     # It is as fast as that as they meet: it has gained its pace, and does not slow down yet.
     least = max(_HOLDS_S * pace - steady, to_aim - width if far is None else -steady)
     walk.setback_m = max(walk.gains_m + least, setback_m(story, walk, strip))
-    soon_s = _until_met_s(story, walk, meets)
+    told = _spacing(story, walk, meets.id)
+    soon_s = _until_met_s(told, walk, meets)
     if soon_s is not None:  # so near that the other does not come by first
         way = walk.profile.way_m(soon_s) - to_aim
         nearest = body.front_m + max(strip / 2, BEHIND_KERB_M)  # amid those who are parked
@@ -100,7 +101,7 @@ def _walk(story: Story, crossing: Crossing) -> Walk:
         walk.stops_after_m = walk.setback_m + far
         if stands:
             takes = walk.rests_s() + STOOD_S
-    _time(story, walk, meets, takes)
+    _time(story, walk, meets, told, takes)
     first = next(iter(story.walks.values()), None)
     if first is not None and crossing.arm in story.functional.junction.crosswalks:
         walk.x_m = first.x_m
@@ -122,20 +123,19 @@ def _meets(story: Story, name: str) -> str:
     return next(chain(owing, suffering), story.ego.id)
 
 
-def _until_met_s(story: Story, walk: Walk, meets: Runner) -> float | None:
+def _until_met_s(told: _Told | None, walk: Walk, meets: Runner) -> float | None:
     """How long the other takes to its line from when it sets off, where that is said."""
-    told = _spacing(story, walk, meets.id)
     if told is None or told.act is None or told.act is walk.stop or meets.speed_mps <= 0.0:
         return None
     return told.value / meets.speed_mps if told.measure is Measure.GAP_M else told.value
 
 
-def _time(story: Story, walk: Walk, meets: Runner, takes: float) -> None:
+def _time(story: Story, walk: Walk, meets: Runner, told: _Told | None, takes: float) -> None:
     """When it sets off and where its line lies, so that it ``takes`` as long as the other does."""
     half = walk.body.width_m / 2
     when = walk.act.when if walk.act is not None else None
-    told = _spacing(story, walk, meets.id)
-    walk.sets_off_s = max(ceil((_MEETS_S - takes) / _LOOK_S) * _LOOK_S, _LEAST_LEAD_S)
+    least_s = _LEAST_LEAD_S if told is None or told.act is None else _TOLD_LEAD_S
+    walk.sets_off_s = max(ceil((_MEETS_S - takes) / _LOOK_S) * _LOOK_S, least_s)
     if isinstance(when, AfterStart):
         walk.sets_off_s = when.delay_s.middle
     if told is None:
@@ -144,8 +144,6 @@ def _time(story: Story, walk: Walk, meets: Runner, takes: float) -> None:
         clear = half if touched else half + BEFORE_WALKER_M  # who stands stays where it is
         walk.x_m = unbraked.x_m(arrival) + meets.towards * (meets.leading_m + clear)
         return
-    if told.act is not None and not walk.timed:
-        walk.sets_off_s = max(ceil((_MEETS_S - takes) / _LOOK_S) * _LOOK_S, 2.0)
     seen_s = STANDS_MPS / walk.rate_mps2  # until then it still stands, to whoever looks on
     moment = told.at_s if told.act is None else walk.sets_off_s + seen_s
     if told.act is not None and told.act is walk.stop:
@@ -164,19 +162,15 @@ def _unbraked(story: Story, meets: Runner) -> Runner:
     return replace(meets, steps=[step for step in meets.steps if step is not loose])
 
 
-def _hidden_behind_m(story: Story, when: WhenMeasure) -> float:
-    """How much farther its line lies than the near end of one who is parked before it."""
-    parked = (story.parked.get(name) for name in (when.participant, when.reference))
-    before = next(filter(None, parked), None) if when.measure is Measure.GAP_M else None
-    return 0.0 if before is None else before.body.length_m + BEFORE_WALKER_M
-
-
 def _spacing(story: Story, walk: Walk, other: str) -> _Told | None:
     """The first that is told of the two: what sets it off, or makes it stop, before the rest."""
     for act in filter(None, (walk.act, walk.stop)):
         when = act.when
         if isinstance(when, WhenMeasure):
-            away = when.value.middle + _hidden_behind_m(story, when)
+            away = when.value.middle
+            for name in {when.participant, when.reference} & story.parked.keys():
+                if when.measure is Measure.GAP_M:  # its line lies beyond one who is parked
+                    away += story.parked[name].body.length_m + BEFORE_WALKER_M
             return _Told(when.measure, away, act)
     pair, own = {walk.id, other}, {a.id: a for a in (walk.act, walk.stop) if a is not None}
     for said in story.functional.spacings:

@@ -15,7 +15,8 @@ from scegen.concretization.along.story import Story
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.paths import END_MARGIN_M
 from scegen.road.cross_section import CROSSWALK_MIDDLE_M
-from scegen.road.geometry import Pose, Segment
+from scegen.road.geometry import Pose
+from scegen.road.model import RoadNetwork
 from scegen.road.ramps import gore_m
 from scegen.road.straight import Curve, curve_of
 from scegen.scenario.road_parameters import RoadParameters
@@ -24,7 +25,6 @@ from scegen.scenario.roadway import AuxiliaryLane
 _ARM_MARGIN_M = 3.0
 _JOINT_CLEAR_M = 8.0
 _LEAST_ARM_M = 40.0
-_ROUND_M = 10.0
 RAMP_MPS = 90 / 3.6
 """A usual speed on ramps of motorways and at the beginning of an acceleration lane."""
 ON_RAMP_S = 3.0
@@ -99,15 +99,13 @@ class Frame:
             )
         return max(before, 0.0)
 
-    def pose(self, x_m: float, y_m: float) -> Pose:
-        """The place in a frame whose origin is where the ego comes into the bend."""
+    def pose(self, network: RoadNetwork, x_m: float, y_m: float) -> Pose:
+        """The place in the world."""
         beyond = self.centre_m(x_m)
-        if self.curve is None:
-            return Pose(beyond, y_m, 0.0)
-        k, half = self.curve.curvature_1pm, self.curve.half_arc_m
-        arc = Segment(Pose(0.0, 0.0, 0.0), 2 * half, k)
-        s = min(max(beyond + half, 0.0), 2 * half)
-        return arc.pose(s).shifted(forward_m=beyond + half - s, left_m=y_m)
+        line = network.arm_road(self.ego_arm).line
+        if self.curve is not None and beyond > 0.0:
+            return network.arm_road(1 - self.ego_arm).line.reversed().pose(beyond, y_m)
+        return line.pose(line.length_m + self.gaps_m[self.ego_arm] + beyond, y_m)
 
 
 def frame_of(story: Story, road: RoadParameters, closest_s: float, lasts_s: float) -> Frame:
@@ -149,7 +147,8 @@ def frame_of(story: Story, road: RoadParameters, closest_s: float, lasts_s: floa
         met = {name: _met_s(each, story.ego, closest_s) for name, each in story.runners.items()}
     elif road.auxiliary is not None:
         joint = joint_m(story, joint)
-        before, after = room_m(fitted(road, story, joint))
+        road = fitted(road, story, joint)
+        before, after = (_LEAST_M + side_m for side_m in gaps_m(road, by_lane=True))
         begin, end = min(begin, joint - before), max(end, joint + after)
     joint = max(joint, begin + _LEAST_ARM_M)
     begin, end = min(begin, joint - arc - _LEAST_ARM_M), max(end, joint + arc + _LEAST_ARM_M)
@@ -244,24 +243,16 @@ def fitted(road: RoadParameters, story: Story, joint: float) -> RoadParameters:
     return road.model_copy(update=update)
 
 
-def room_m(road: RoadParameters) -> tuple[float, float]:
-    """How long the road must be before the joint and beyond it."""
-    auxiliary = road.auxiliary
-    if auxiliary is None:
+def gaps_m(road: RoadParameters, *, by_lane: bool = False) -> tuple[float, float]:
+    """How far from the joint the inner ends of arms 0 and 1 are: a ramp joins or leaves there.
+
+    Or the auxiliary lane ends on the other side, if that is asked for.
+    """
+    lane = road.auxiliary
+    if lane is None:
         return 0.0, 0.0
-    lane = auxiliary.length_m + auxiliary.taper_m + _LEAST_M
-    return _on_its_side(auxiliary.kind, gore_m(road) + _LEAST_M, lane)
-
-
-def gaps_m(road: RoadParameters) -> tuple[float, float]:
-    """How far from the joint the inner ends of arms 0 and 1 are."""
-    auxiliary = road.auxiliary
-    return (0.0, 0.0) if auxiliary is None else _on_its_side(auxiliary.kind, gore_m(road), 0.0)
-
-
-def _on_its_side(kind: AuxiliaryLane, ramp: float, lane: float) -> tuple[float, float]:
-    """What holds where the ramp is and where the lane is, before the joint and beyond it."""
-    return (lane, ramp) if kind is AuxiliaryLane.OFF_RAMP else (ramp, lane)
+    ramp_m, lane_m = gore_m(road), lane.length_m + lane.taper_m if by_lane else 0.0
+    return (lane_m, ramp_m) if lane.kind is AuxiliaryLane.OFF_RAMP else (ramp_m, lane_m)
 
 
 def _moves_m(story: Story) -> list[tuple[float, float]]:

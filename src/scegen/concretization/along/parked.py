@@ -36,7 +36,7 @@ def park(story: Story) -> None:
     Before those whom they hide, around one that opens its door, and others along the way.
     """
     hiding = {name for hazard in story.of_kind(HazardKind.OCCLUSION) for name in hazard.by}
-    doors = opens(story.functional).keys() & story.runners.keys() - hiding
+    doors = {r.id for r in story.runners.values() if r.opens} - hiding
     opened = {r.on_left: name for name, r in story.parked.items() if name in doors}
     rows: dict[tuple[bool, str], list[Runner]] = {}
     for name, runner in story.parked.items():
@@ -133,8 +133,8 @@ def inner_doors(story: Story) -> set[str]:
 def hang_doors(story: Story) -> None:
     """Put doors beside the lane next to them, and those whom they endanger within their reach."""
     functional, runners = story.functional, story.runners
-    for name in opens(functional).keys() & runners.keys():
-        door, vehicle = runners[name], story.parked[name]
+    for name, door in ((name, r) for name, r in runners.items() if r.opens):
+        vehicle = story.parked[name]
         inner = name in inner_doors(story)
         inward = outward(functional, Side.LEFT) * (1 if inner else -1)
         door.lane = 1 if inner else story.lane_count
@@ -162,9 +162,8 @@ def endangered(functional: FunctionalScenario, name: str) -> set[str]:
 
 def door_before(story: Story, who: str) -> Runner | None:
     """The door that opens before somebody, None if none does."""
-    names = opens(story.functional).keys() & story.runners.keys()
-    endangering = (n for n in sorted(names) if who in endangered(story.functional, n))
-    return next((story.runners[name] for name in endangering), None)
+    doors = sorted((r for r in story.runners.values() if r.opens), key=lambda r: r.id)
+    return next((r for r in doors if who in endangered(story.functional, r.id)), None)
 
 
 def middle_m(door: Runner, vehicle: Body) -> float:

@@ -27,6 +27,7 @@ from scegen.concretization.limits import (
     TAILGATING_HEADWAY_S,
 )
 from scegen.concretization.profile import NEVER_S
+from scegen.concretization.tale import at_odds
 from scegen.concretization.things import THINGS_APART_M
 from scegen.scenario.acts import SLOWING, Act, ActKind, WhenMeasure
 from scegen.scenario.in_line import is_said_ahead, words_between
@@ -298,7 +299,7 @@ def _headway_s(story: Story, front: Runner, back: Runner, wider: float) -> float
     if HazardKind.TAILGATING in story.kinds_by(back.id):
         return sum(TAILGATING_HEADWAY_S) / 2
     slows = any(s.target_mps < front.speed_mps for s in front.steps)
-    concerned = story.concern(front.id, back.id) or story.ego.id in {front.id, back.id}
+    concerned = at_odds(story.functional, front.id, back.id) or story.ego.id in {front.id, back.id}
     if not slows and not concerned:
         return story.driver(back.id).time_gap_s * wider
     return (_BRAKES_AT_S if slows else _FOLLOWING_S) * wider

@@ -8,7 +8,8 @@ from math import floor, inf
 
 import numpy as np
 
-from scegen.concretization.along.runner import Runner, gap_m
+from scegen.claims.boxes import gap_m
+from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.spacing import keep_apart
 from scegen.concretization.along.story import Story
 from scegen.concretization.amounts import (
@@ -21,6 +22,7 @@ from scegen.concretization.amounts import (
 from scegen.concretization.answering import answer, brake_for, last_that
 from scegen.concretization.limits import REACTION_S
 from scegen.concretization.profile import SpeedChange
+from scegen.concretization.tale import at_odds
 from scegen.concretization.traffic import (
     Contact,
     Traffic,
@@ -166,7 +168,7 @@ def _put_off(story: Story, name: str, by_s: float) -> None:
 
 def _follow(story: Story, contact: Contact) -> bool:
     """Let one that nothing is told of follow another, as drivers in traffic do; whether it can."""
-    if contact.other not in story.runners or story.concern(*contact[1:]):
+    if contact.other not in story.runners or at_odds(story.functional, *contact[1:]):
         return False
     who, other = (story.runners[name] for name in contact[1:])
     alone = not (who.steps or who.moves or other.moves)
@@ -176,7 +178,8 @@ def _follow(story: Story, contact: Contact) -> bool:
     for step in sorted(other.steps, key=lambda s: s.begins_s):
         ahead = Change(step.begins_s, step.target_mps, step.rate_mps2)
         if step.target_mps < speed:
-            gap = gap_m(who, other, step.begins_s)
+            at = np.array([step.begins_s])
+            gap = float(gap_m(who.track(at)[0], other.track(at)[0])[0])
             found = None if steps else brakes(driver, who.speed_mps, gap, speed, ahead)
         else:
             found = goes_on(driver, who.speed_mps, ahead) if steps else None

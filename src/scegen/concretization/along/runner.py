@@ -220,9 +220,3 @@ def _profile(speed_mps: float, steps: tuple[SpeedChange, ...]) -> Profile:
     for step in steps:
         profile.change(step.begins_s, step.target_mps, step.rate_mps2)
     return profile
-
-
-def gap_m(first: Runner, second: Runner, time_s: float) -> float:
-    """Free length along the road between two; negative where they are level."""
-    (low, high), (other_low, other_high) = first.ends_m(time_s), second.ends_m(time_s)
-    return max(other_low - high, low - other_high)

@@ -15,7 +15,6 @@ from scegen.road.cross_section import median_half_m
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.bodies import Body
 from scegen.scenario.logical import Drive, Rule, Standing
-from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.roadway import BAYS, Carriageway
 from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import DrivingSide, HazardKind, Maneuver, ParticipantKind, Side
@@ -140,19 +139,6 @@ class Story(Tale):
     def driver(self, name: str) -> Driver:
         """Who drives somebody."""
         return driver_of(self.seed, list(self.runners).index(name))
-
-    def concern(self, first: str, second: str) -> bool:
-        """Whether what is to happen is between these two: a danger, or how it ends.
-
-        Where the text tells of neither, it is between the ego and everybody.
-        """
-        pair, ego = {first, second}, self.ego.id
-        outcome = self.functional.outcome
-        if outcome is not None and outcome.kind is not OutcomeKind.AVOIDED:
-            return pair <= {*outcome.between} if len(outcome.between) > 1 else ego in pair
-        if not self.functional.hazards:
-            return outcome is None and ego in pair
-        return any(pair <= {*hazard.by, *hazard.to} for hazard in self.functional.hazards)
 
     def lets_by(self, who: str, other: str) -> bool:
         """Whether one gives way to another, and so comes into its lane behind it.

@@ -12,6 +12,7 @@ from scegen.concretization.along.spacing import first_s, is_level, just_misses, 
 from scegen.concretization.along.story import Story
 from scegen.concretization.amounts import BRAKING
 from scegen.concretization.profile import NEVER_S
+from scegen.concretization.tale import at_odds
 
 _LONG_BACK_S = 2.5
 _CLEAR_BEFORE_S, _CLEAR_AFTER = 0.9, 0.6
@@ -71,7 +72,7 @@ def _meet_after(story: Story) -> None:
         back = next((m for m in later if (min(m.lane, 1), m.offset_m) != there), None)
         free = [r for r in story.runners.values() if not {r.id, stray.id} & said]
         facing = [
-            (not story.concern(stray.id, r.id), r.at_m or 0.0, r, clears) for r in free
+            (not at_odds(story.functional, stray.id, r.id), r.at_m or 0.0, r, clears) for r in free
             if r.forward != stray.forward and not r.stands and (clears := back or _dodge(r))
         ]  # fmt: skip
         if not facing:
@@ -99,7 +100,7 @@ def _meeting_when_back_s(
         return max((out.ends_s + back.begins_s) / 2, out.ends_s + _THERE_S + touch_s)
     if stray.id in story.endangered_by(other.id, *BRAKING):
         return back.begins_s + _STILL_THERE * back.lasts_s
-    if story.concern(stray.id, other.id):
+    if at_odds(story.functional, stray.id, other.id):
         goes, meets = (stray, other) if back in stray.moves else (other, stray)
         kept = goes.at_m
 

@@ -17,7 +17,6 @@ from scegen.concretization.tale import as_meant, outward, pace_of
 from scegen.concretization.things import lying_in_the_way, shape_of
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import SLOWING, Act, ActKind, AfterStart, WhenMeasure
-from scegen.scenario.bodies import BODIES
 from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.in_line import is_said_ahead
 from scegen.scenario.logical import (
@@ -165,8 +164,7 @@ def _make_faster(story: Story, by: tuple[str, ...], to: tuple[str, ...]) -> None
             if not story.has_said_speed(slow.id):
                 slow.speed_mps = max(0.6 * fast.speed_mps, fast.speed_mps - _PASSES_BY_MPS)
             elif not story.has_said_speed(fast.id):
-                top = BODIES[fast.kind].top_speed_mps
-                fast.speed_mps = min(slow.speed_mps + _PASSES_BY_MPS, top)
+                fast.speed_mps = min(slow.speed_mps + _PASSES_BY_MPS, fast.body.top_speed_mps)
 
 
 def story_of(functional: FunctionalScenario, logical: LogicalScenario) -> Story:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from math import hypot
 
 from scegen.concretization.along.frame import Frame
@@ -40,7 +42,9 @@ _LOOK_S = 0.25
 _FLUNG_MPS2 = 6.0
 
 
-def written_runner(story: Story, frame: Frame, name: str) -> ConcreteParticipant:
+def written_runner(
+    story: Story, frame: Frame, network: RoadNetwork, name: str
+) -> ConcreteParticipant:
     """One along the road."""
     runner = story.runners[name]
     entry = frame.ego_arm if runner.forward else 1 - frame.ego_arm
@@ -71,7 +75,7 @@ def written_runner(story: Story, frame: Frame, name: str) -> ConcreteParticipant
         reversal=reversal,
     )
     program = tuple(
-        written_phase(story, step, _trigger(story, frame, runner, step))
+        written_phase(story, step, _trigger(story, partial(_apart_m, frame, network), runner, step))
         for step in sorted(runner.steps, key=lambda step: step.begins_s)
     )
     speed = runner.speed_mps
@@ -99,17 +103,22 @@ def _changes(frame: Frame, runner: Runner) -> tuple[LaneChange, ...]:
     return tuple(changes)
 
 
-def _trigger(story: Story, frame: Frame, runner: Runner, step: SpeedChange) -> Trigger:
+def _trigger(
+    story: Story,
+    apart_m: Callable[[Runner, Runner, float], float],
+    runner: Runner,
+    step: SpeedChange,
+) -> Trigger:
     """What sets a step off: time if that is said, who it answers, or how far the ego has come."""
     if step.timed:
         return AtTime(time_s=step.begins_s)
     moment = just_before_step_s(step.begins_s)
     if step.reacts_to is not None and step.reacts_to in story.runners:
         other = story.runners[step.reacts_to]
-        apart = _apart_m(frame, runner, other, moment)
+        apart = apart_m(runner, other, moment)
         # Who has been passed by was as near before.
         looks = range(int(max(moment - _LOOK_S, 0.0) / _LOOK_S))
-        first = all(_apart_m(frame, runner, other, n * _LOOK_S) > apart for n in looks)
+        first = all(apart_m(runner, other, n * _LOOK_S) > apart for n in looks)
         along = other.speed_at_mps(moment) * runner.sign * other.sign
         closing = runner.speed_at_mps(moment) > along + 0.05
         participant = not other.thing
@@ -120,9 +129,11 @@ def _trigger(story: Story, frame: Frame, runner: Runner, step: SpeedChange) -> T
     return as_they_come((story.ego, runner), moment)
 
 
-def _apart_m(frame: Frame, one: Runner, other: Runner, time_s: float) -> float:
+def _apart_m(
+    frame: Frame, network: RoadNetwork, one: Runner, other: Runner, time_s: float
+) -> float:
     """The straight distance of two reference points."""
-    here, there = (frame.pose(who.x_m(time_s), who.y_m(time_s)) for who in (one, other))
+    here, there = (frame.pose(network, w.x_m(time_s), w.y_m(time_s)) for w in (one, other))
     return hypot(here.x_m - there.x_m, here.y_m - there.y_m)
 
 

@@ -158,7 +158,7 @@ def waits_until(
     """(place on the ego's way, time to arrival there) that come true at ``go_s`` and not before."""
     place_m = round(float(np.interp(meeting_s, ego.time_s, ego.s_m)), _DECIMALS)
     step = int(np.searchsorted(ego.time_s, go_s))
-    arrival = arrivals_s(ego, path.pose(place_m))
+    arrival = arrivals_s(ego, ego.speed_mps, path.pose(place_m))
     if step < 1 or not np.isfinite(arrival[step - 1 : step + 1]).all():
         return None
     # Between two steps, so that rounding decides nothing.

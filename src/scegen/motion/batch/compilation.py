@@ -9,9 +9,7 @@ import numpy as np
 
 from scegen.motion.batch.arrays import (
     COS,
-    HEADING,
     SIN,
-    TRACK_ROWS,
     BatchTraces,
     Candidates,
     ContactTable,
@@ -19,8 +17,6 @@ from scegen.motion.batch.arrays import (
     PhaseTable,
     Program,
     TriggerKind,
-    X,
-    Y,
     empty_traces,
     mark_backwards,
 )
@@ -180,14 +176,15 @@ def stack_scenario(
         paths: by participant; without them nobody reverses.
     """
     names = [p.id for p in concrete.participants]
-    moving = stack_traces([traces[n] for n in names], [paths[n] for n in names] if paths else ())
-    rows = np.zeros((1, len(concrete.objects), TRACK_ROWS, moving.tracks.shape[3]))
-    for n, thing in enumerate(concrete.objects):
-        turn = np.deg2rad(thing.heading_deg)
-        at = {X: thing.x_m, Y: thing.y_m, HEADING: turn, COS: np.cos(turn), SIN: np.sin(turn)}
-        for row, value in at.items():
-            rows[0, n, row] = value
-    return moving._replace(tracks=np.concatenate((moving.tracks, rows), axis=1))
+    times_s = traces[names[0]].time_s
+    still = np.zeros_like(times_s)
+    lying = [
+        Trace(thing.id, thing.body, times_s, still, *object_path(thing).places(still), still)
+        for thing in concrete.objects
+    ]
+    return stack_traces(
+        [*(traces[n] for n in names), *lying], [paths[n] for n in names] if paths else ()
+    )
 
 
 def _phase(phase: SpeedPhase, index: Mapping[str, int]) -> Phase:

@@ -19,19 +19,10 @@ RED_FOR_S = 0.5
 """Who goes over the line so long after amber has ended runs the light, and did not just hurry."""
 
 
-def at_lights(functional: FunctionalScenario, logical: LogicalScenario) -> dict[str, Drive]:
-    """The drives that pass a light that works, by participant."""
-    return _past(functional, logical, Control.SIGNALS)
-
-
-def at_dark_lights(functional: FunctionalScenario, logical: LogicalScenario) -> dict[str, Drive]:
-    """The drives that pass a light that does not work, by participant."""
-    return _past(functional, logical, Control.SIGNALS_OFF)
-
-
-def _past(
-    functional: FunctionalScenario, logical: LogicalScenario, control: Control
+def at_lights(
+    functional: FunctionalScenario, logical: LogicalScenario, control: Control = Control.SIGNALS
 ) -> dict[str, Drive]:
+    """The drives that pass a light that works, or is off (``control``), by participant."""
     if functional.junction.control is not control:
         return {}
     return {d.participant: d for d in logical.drives if enters_at_sign(functional, d)}
