@@ -140,15 +140,7 @@ def run(
     only: Collection[str] = (),
     progress: Progress = lambda _: None,
 ) -> Iterator[Row]:
-    """Every description as files, played and judged.
-
-    Args:
-        records: what is said and what must be true.
-        judge: who decides.
-        understand: who reads the descriptions.
-        seed: of everything random.
-        only: ids; empty for all.
-        progress: told what is being worked on.
+    """Every description, or those with these ids only, as files, played and judged.
 
     Raises:
         StoppedError: nobody is left who could read.

@@ -56,18 +56,10 @@ class Failure:
 class Result:
     """The score of a file.
 
-    Attributes:
-        cases: number of descriptions of which there is a reading.
-        readings: number of readings; more than ``cases`` where each is read again.
-        understood: how many readings hold as a whole.
-        fields: field -> (how often it holds, how often it is judged).
-        kinds: participant kind -> its tally.
-        hazards: hazard kind -> its tally.
-        failures: the descriptions that do not hold.
-        stability: how far the runs over a description agree.
-        held: (description, run) -> whether that reading holds as a whole.
-        stopped: why the rest was not read; None if nothing is left.
-        left: number of descriptions without any reading.
+    There are more ``readings`` than ``cases`` where each is read again; ``understood`` of them hold
+    as a whole. ``fields`` tell how often each holds and how often it is judged, ``kinds`` and
+    ``hazards`` are by kind, ``held`` is by (description, run). ``stopped`` is why the ``left`` ones
+    were not read.
     """
 
     cases: int = 0
@@ -125,12 +117,8 @@ def run(
 ) -> Result:
     """Scores labelled descriptions.
 
-    Args:
-        cases: descriptions with labels.
-        understand: who reads them, the offline reader unless said otherwise; raises
-            :class:`StoppedError` where it cannot go on.
-        repeat: how often each is read.
-        told: told of each reading.
+    ``understand`` raises :class:`StoppedError` where it cannot go on; ``told`` hears of each
+    reading.
     """
     result = Result(stability=Stability(runs=repeat))
     for number, case in enumerate(cases, start=1):
@@ -155,11 +143,7 @@ def run(
 
 
 def about_the_text(error: InputError) -> bool:
-    """Whether it is the description that cannot be used, and not a setting or a recording.
-
-    Args:
-        error: raised by whoever reads it.
-    """
+    """Whether it is the description that cannot be used, and not a setting or a recording."""
     return isinstance(error, NotTrafficError | InfeasibleError) or error.where == "description"
 
 

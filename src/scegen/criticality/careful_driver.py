@@ -101,10 +101,8 @@ def careful_driver_verdict(
 ) -> Verdict:
     """Let the careful and competent driver drive the ego, and see.
 
-    Args:
-        concrete: the scenario.
-        paths: its paths by participant, as :func:`scegen.motion.build_paths` makes them.
-        friction: coefficient between tyre and road; None for that of the environment.
+    ``paths`` are by participant, as :func:`scegen.motion.build_paths` makes them; ``friction`` is
+    the coefficient between tyre and road, None for that of the environment.
     """
     grip = friction_of(concrete.environment) if friction is None else friction
     own = concrete.ego.model_copy(update={"on_contact": None})  # its own crash is no braking

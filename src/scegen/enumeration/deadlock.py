@@ -23,12 +23,7 @@ def may_be_stuck(rules: RoadRules, assignment: Assignment) -> bool:
 
 
 def deadlock_among(names: Sequence[str], conflicts: Iterable[Conflict]) -> tuple[str, ...]:
-    """Those of the named who wait for another of them in a circle, in the order of the names.
-
-    Args:
-        names: who stands at the line.
-        conflicts: how they meet and who yields.
-    """
+    """Those of the named who wait for another of them in a circle, in the order of the names."""
     number = {name: index for index, name in enumerate(names)}
     behind = [0] * len(names)  # a bit for everybody who is waited for
     for conflict in conflicts:

@@ -12,11 +12,7 @@ from scegen.scenario.functional import FunctionalScenario
 def feasible(functional: FunctionalScenario, *, ranked: bool = True) -> Problem:
     """The problem, which has solutions; what was presumed and given up is told in its notes.
 
-    What the text states is never given up.
-
-    Args:
-        functional: the description, understood.
-        ranked: arms are told apart by their signs.
+    What the text states is never given up. ``ranked``: arms are told apart by their signs.
 
     Raises:
         NoScenarioError: what is stated contradicts itself; names the statements that clash.

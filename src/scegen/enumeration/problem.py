@@ -107,10 +107,8 @@ def build_problem(
 ) -> Problem:
     """Read the statements and derive what follows from the words alone.
 
-    Args:
-        functional: the description, understood.
-        left_open: dangers, by their place, of which nothing is presumed.
-        ranked: arms are told apart by their signs.
+    Of the dangers ``left_open``, by their place, nothing is presumed. ``ranked``: arms are told
+    apart by their signs.
 
     Raises:
         InfeasibleError: too many vehicles, an ego that does not drive, or somebody who comes the

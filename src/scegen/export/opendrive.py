@@ -44,14 +44,9 @@ def write_opendrive(
 ) -> str:
     """The network as OpenDRIVE 1.7 (ASAM, 2021), the same text for the same input.
 
-    Frame and units are those of the network (m, rad, x east, y north).
-
-    Args:
-        network: what to write.
-        control: which sign or light stands at the entries: stop, yield or signals; with any
-            other control none.
-        controlled_arms: the arms whose entries have it; all if left out.
-        signals: which lights show the same, as controllers.
+    Frame and units are those of the network (m, rad, x east, y north). At the entries of the
+    ``controlled_arms``, all if left out, stands the sign or light of ``control``, if that is stop,
+    yield or signals; ``signals`` says which lights show the same, as controllers.
     """
     document = xodr.OpenDrive(network.name, revMajor="1", revMinor="7")
     arms = range(len(network.arm_roads)) if controlled_arms is None else controlled_arms

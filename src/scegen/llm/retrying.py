@@ -17,11 +17,7 @@ async def ask_until(
 ) -> tuple[T | Trouble, int]:
     """The answer or the last trouble, and after how many attempts.
 
-    Args:
-        send: one attempt.
-        limits: bounds on attempts and waits.
-        deadline: the loop's time after which nothing is awaited any more.
-        key: blotted out of every message.
+    Nothing is awaited after the loop's time ``deadline``; ``key`` is blotted out of every message.
     """
     clock = asyncio.get_running_loop().time
     pause = limits.first_wait_s

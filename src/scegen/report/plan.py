@@ -108,11 +108,8 @@ def make_plan(junction: Junction) -> Plan:
 def drive_line(plan: Plan, drive: Drive, spread: float, behind: int) -> list[Point]:
     """The way of a vehicle as points.
 
-    Args:
-        plan: the sketch it is drawn on.
-        drive: its assignment.
-        spread: shifts it to its right, apart from others on the same arms.
-        behind: how many follow it on its arm.
+    ``spread`` shifts it to its right, apart from others on the same arms; so many follow ``behind``
+    it on its arm.
     """
     if plan.kind is JunctionKind.STRAIGHT:
         return _straight_line(plan, drive, _START - 30.0 * behind, spread)

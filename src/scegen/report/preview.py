@@ -46,14 +46,7 @@ def preview_svg(
     paths: Mapping[str, Path],
     traces: Mapping[str, Trace] | None = None,
 ) -> str:
-    """The scenario as an SVG document; the same input gives the same text.
-
-    Args:
-        concrete: the scenario.
-        network: its roads.
-        paths: the paths of its participants.
-        traces: their movement, simulated here if not given.
-    """
+    """The scenario as an SVG document, simulated here if need be; equal input gives equal text."""
     stage = make_stage(concrete, network, paths, traces or simulate(concrete, paths), LIGHT)
     encounter = closest_encounter(concrete, stage.traces)
     low, high = extent(stage, encounter)

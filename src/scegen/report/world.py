@@ -114,14 +114,7 @@ class View:
 
 
 class Surroundings:
-    """All that never moves, drawn once and shown in every view and frame.
-
-    Args:
-        concrete: the scenario; it says where signs and objects stand, and what lights show.
-        network: its roads.
-        theme: the colours.
-        paths: the ways of its participants.
-    """
+    """All that never moves, drawn once and shown in every view and frame."""
 
     def __init__(
         self,

@@ -42,13 +42,8 @@ def advised(
 ) -> Advised:
     """Ask for proposals and validate them.
 
-    Args:
-        proposer: who is asked.
-        problem: the search that is to follow.
-        concrete: the scenario as it is.
-        ways: its ways from the outer ends of the arms.
-        hazards: which dangers happen already.
-        seed: of values that replace invalid ones.
+    ``ways`` lead from the outer ends of the arms; ``hazards`` tell which dangers happen already,
+    ``seed`` is that of values which replace invalid ones.
     """
     situation = situation_of(problem, hazards)
     origin = problem.space.origin

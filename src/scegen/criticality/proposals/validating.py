@@ -46,10 +46,8 @@ class Verdict:
 class Validator:
     """Judges proposals for one scenario.
 
-    Args:
-        parameters: all that may be changed.
-        origin: the values of all variables now (n,), inside their bounds.
-        hindrances: of values; those that the scenario has already are not held against anybody.
+    ``origin`` (n,) are the values of all variables now, inside their bounds. Hindrances that the
+    scenario has already are not held against anybody.
     """
 
     def __init__(
@@ -69,11 +67,8 @@ class Validator:
     ) -> tuple[Verdict, ...]:
         """A verdict for every proposal; the same generator gives the same verdicts.
 
-        Args:
-            proposals: in the order of their importance: of two that contradict each other, the
-                first stands.
-            by: who proposes.
-            rng: for values that replace invalid ones.
+        Of two that contradict each other, the first stands; ``rng`` draws what replaces invalid
+        ones.
         """
         why_not = self.judge(proposals)
         x = self._origin.copy()

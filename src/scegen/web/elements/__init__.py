@@ -197,11 +197,7 @@ class Rules(Element, component="rules.js"):
 class Cinema(
     Element, component="cinema.js", esm={"nicegui-scene": str(_SCENE), "scegen-seat": "seat"}
 ):
-    """The player of one scenario, with the view from the driver's seat beside it.
-
-    Args:
-        script: address of the player's module.
-    """
+    """The player (a module at an address), with the view from the driver's seat beside it."""
 
     def __init__(self, script: str) -> None:
         super().__init__()

@@ -15,12 +15,7 @@ Go = Callable[[str], None]
 
 
 class StepView:
-    """A step while it is shown.
-
-    Args:
-        work: of whom it shows.
-        go: shows another step.
-    """
+    """A step while it is shown; ``go`` shows another one."""
 
     def __init__(self, work: Work, go: Go) -> None:
         self._work, self._go = work, go
@@ -50,9 +45,7 @@ def show_form(form: Form, work: Work) -> None:
 class Activity:
     """A line that says what is being done, how long it has taken, and lets it be cancelled.
 
-    Args:
-        work: whose jobs it tells of.
-        kinds: of the jobs, the one to be told first comes first.
+    Of the ``kinds`` of jobs that it tells of, the one to be told first comes first.
     """
 
     def __init__(self, work: Work, *kinds: str) -> None:
