@@ -44,21 +44,6 @@ class JobState(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Trouble:
-    """Why a job failed, for the person: what is wrong, where, and what to do."""
-
-    message: str
-    where: str | None = None
-    hint: str | None = None
-
-    @property
-    def in_words(self) -> str:
-        """All of it in a line."""
-        where = f"{self.where}: " if self.where else ""
-        return f"{where}{self.message}{f' {self.hint}' if self.hint else ''}"
-
-
-@dataclass(frozen=True, slots=True)
 class Step:
     """Something that a job said, so many seconds after it began."""
 
@@ -98,7 +83,7 @@ class Job:
     steps: list[Step] = field(default_factory=list)
     parts: list[Any] = field(default_factory=list)
     result: Any = None
-    trouble: Trouble | None = None
+    trouble: ScegenError | None = None
     began: float = field(default_factory=monotonic)
     took_s: float | None = None
     process: BaseProcess | None = None
@@ -176,7 +161,7 @@ class Jobs:
                 kind, value = connection.recv()
             except (EOFError, OSError):
                 if job.under_way:
-                    job.trouble = Trouble(
+                    job.trouble = ScegenError(
                         "The work ended without a result.", hint="See the server's terminal."
                     )
                     job.end(JobState.FAILED)
@@ -214,10 +199,10 @@ def _work(connection: Connection, task: Task, arguments: tuple[object, ...]) -> 
         connection.send(("done", task(*arguments, Teller(connection))))
     except MemoryError:
         message = f"This takes more than {MOST_MEMORY >> 30} GB of memory."
-        connection.send(("failed", Trouble(message, hint="Ask for less.")))
+        connection.send(("failed", ScegenError(message, hint="Ask for less.")))
     except ScegenError as error:
-        connection.send(("failed", Trouble(error.message, error.where, error.hint)))
+        connection.send(("failed", error))
     except Exception:  # noqa: BLE001 - the page must hear of whatever it is
         traceback.print_exc(file=sys.stderr)
         message = "Something went wrong that should not have."
-        connection.send(("failed", Trouble(message, hint="See the server's terminal.")))
+        connection.send(("failed", ScegenError(message, hint="See the server's terminal.")))
