@@ -7,8 +7,8 @@ from typing import Annotated
 
 import typer
 
+from scegen.cli.console import write_text
 from scegen.cli.options import JsonFlag, OutputFile, SeedOption
-from scegen.cli.writing import write_text
 
 
 def concretize(

@@ -16,7 +16,7 @@ from scegen.cli.certificates import (
     tell_claim,
     tell_count,
 )
-from scegen.cli.console import result, say
+from scegen.cli.console import result, say, write_text
 from scegen.cli.gallery import require_picture, write_picture
 from scegen.cli.listing import listing_under_way, stream_json, stream_lines, write_json
 from scegen.cli.options import (
@@ -27,7 +27,6 @@ from scegen.cli.options import (
     WhereOption,
     rules_of,
 )
-from scegen.cli.writing import write_text
 from scegen.errors import InputError
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 from scegen.scenario.wording import covering

@@ -6,11 +6,10 @@ from typing import Annotated
 
 import typer
 
-from scegen.cli.console import working
+from scegen.cli.console import working, write_text
 from scegen.cli.llm import Asked, Listener, asks_models, tell
 from scegen.cli.options import JsonFlag, OutputFile
 from scegen.cli.parse_report import show_refusal, show_report, tell_unsupported
-from scegen.cli.writing import write_text
 from scegen.errors import InputError
 
 
