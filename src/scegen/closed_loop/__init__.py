@@ -5,8 +5,7 @@ from scegen.closed_loop.careful import CarefulDriver
 from scegen.closed_loop.judging import Danger, judged
 from scegen.closed_loop.own import OwnSimulation
 from scegen.closed_loop.player import PlayerSimulation, esmini_library
-from scegen.closed_loop.running import Driver, drive
-from scegen.closed_loop.state import Simulation, State
+from scegen.closed_loop.running import Driver, Simulation, State, drive
 
 __all__ = [
     "CarefulDriver",

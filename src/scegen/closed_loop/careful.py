@@ -12,7 +12,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from scegen.closed_loop.state import State
+from scegen.closed_loop.running import State
 from scegen.criticality.careful_driver import (
     CRITICAL_TTC_S,
     DECELERATION_G,

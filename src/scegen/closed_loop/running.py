@@ -1,13 +1,50 @@
-"""A driver and a simulation, step by step to the end of the scenario."""
+"""A driver and a simulation, step by step to the end: what one sees, and says of itself."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 
 from scegen.checking.esmini.recording import Movement
-from scegen.closed_loop.state import Simulation, State
+
+
+@dataclass(frozen=True, slots=True)
+class State:
+    """Where somebody is: the reference point (rear axle; a pedestrian's centre) in the world.
+
+    ``heading_rad`` counter-clockwise from east.
+    """
+
+    x_m: float
+    y_m: float
+    heading_rad: float
+    speed_mps: float
+
+
+class Simulation(Protocol):
+    """A scenario whose ego is driven from outside, in steps of ``dt_s``."""
+
+    @property
+    def dt_s(self) -> float:
+        """The time step."""
+
+    @property
+    def time_s(self) -> float:
+        """The present time, 0 at the start."""
+
+    @property
+    def states(self) -> Mapping[str, State]:
+        """Everybody at the present time, things among them, by id."""
+
+    def step(self, ego: State) -> None:
+        """Go one step on; ``ego`` is where the ego will be then."""
+
+    def close(self) -> None:
+        """End it."""
+
 
 Driver = Callable[[float, float, Mapping[str, State]], State]
 """From time (s), step (s) and everybody's state to the ego's own state after the next step."""

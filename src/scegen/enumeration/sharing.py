@@ -9,8 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-from scegen.enumeration.conflicts import conflict_between
-from scegen.enumeration.deadlock import deadlock_among, may_be_stuck
+from scegen.enumeration.conflicts import conflict_between, deadlock_among, may_be_stuck
 from scegen.enumeration.on_foot import Place
 from scegen.enumeration.problem import Problem
 from scegen.enumeration.ranges import offset_range, speed_range

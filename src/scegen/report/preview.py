@@ -13,13 +13,12 @@ import numpy as np
 from scegen.criticality.encounter import Encounter, closest_encounter
 from scegen.motion.model import Array, Path, Trace
 from scegen.motion.simulation import simulate
-from scegen.report.corners import thing_corners
 from scegen.report.drawing import box, document, letters
 from scegen.report.raster import wrapped
 from scegen.report.stage import Stage, make_stage, moment, overview
 from scegen.report.theme import LIGHT
 from scegen.report.words import hazard_words, name_words, participant_words, thing_words
-from scegen.report.world import View
+from scegen.report.world import View, thing_corners
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.vocabulary import HazardKind, JunctionKind

@@ -16,7 +16,6 @@ from scegen.checking.opendrive.read import read_network
 from scegen.checking.opendrive.rules.described import check_described
 from scegen.checking.opendrive.rules.folds import check_folds, check_overlaps
 from scegen.checking.opendrive.rules.header import check_elevation, check_version
-from scegen.checking.opendrive.rules.joints import check_joints
 from scegen.checking.opendrive.rules.junctions import (
     check_connected_types,
     check_connecting_roads,
@@ -24,6 +23,7 @@ from scegen.checking.opendrive.rules.junctions import (
 )
 from scegen.checking.opendrive.rules.links import (
     check_dead_ends,
+    check_joints,
     check_lane_links,
     check_reachability,
     check_road_links,
