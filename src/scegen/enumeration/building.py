@@ -120,7 +120,7 @@ class Builder:
             name = member.id
             place = Place(ranks.get(name, 0), lanes.get(name), beside.get(name))
             if name in slots:
-                rows.append(sharing.drives(slots[name], place))
+                rows.append(sharing.drives[slots[name], place])
             elif name in crossers:
                 rows.append(self._on_foot(name, place))
             else:
@@ -129,7 +129,7 @@ class Builder:
 
     def _on_foot(self, name: str, place: Place) -> Row:
         def share(choice: tuple[int, str]) -> Share:
-            return self._sharing.other(assignment_of(name, *choice, place))
+            return self._sharing.others[assignment_of(name, *choice, place)]
 
         return Kept(share)
 
@@ -137,7 +137,7 @@ class Builder:
         self, parked: Participant, entry_of: dict[str, int], crossed: list[tuple[int, Side]]
     ) -> Row:
         assignment = standing(self._functional, parked, entry_of, crossed)
-        return Kept(lambda _: self._sharing.other(assignment))
+        return Kept(lambda _: self._sharing.others[assignment])
 
     def _slug(self, pattern: tuple[int, ...], assignments: tuple[Assignment, ...]) -> str:
         """Of many drivers the slug tells the pattern alone, so there are few."""
