@@ -15,28 +15,19 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from scegen.benchmark.understand import Understand, about_the_text, offline
+from scegen.benchmark.understand import Record, Understand, about_the_text, offline
 from scegen.checking.recording import Player, record
-from scegen.checking.subject import SCENARIO_FILE
+from scegen.checking.subject import CONCRETE_FILE, SCENARIO_FILE
 from scegen.errors import InputError, ScegenError
 from scegen.pipeline.generate import Result, generate
 from scegen.pipeline.options import CheckDepth, Options
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.files import load_any, read_text
+from scegen.scenario.files import load, read_text
 
 JUDGE_FILE = "judge_catalogue.py"
 Judge = Callable[[dict[str, Any], str], list[tuple[str, Any, Any, bool]]]
 """(facts, path of a recording) → (fact, expected, measured, holds)."""
 Progress = Callable[[str], None]
-
-
-@dataclass(frozen=True, slots=True)
-class Record:
-    """A description and what must be true of it when it runs."""
-
-    id: str
-    text: str
-    facts: dict[str, Any]
 
 
 @dataclass(frozen=True, slots=True)
@@ -165,9 +156,7 @@ def _row(item: Record, judge: Judge, understand: Understand, seed: int, folder: 
         options = Options(seed=seed, depth=CheckDepth.NONE)
         made = generate(functional, folder / "made", options)
         scenario = _first(made) / SCENARIO_FILE
-        concrete = load_any(scenario.with_name("concrete.yaml"))
-        if not isinstance(concrete, ConcreteScenario):
-            raise InputError("is no concrete scenario", where=str(scenario.parent))
+        concrete = load(scenario.with_name(CONCRETE_FILE), ConcreteScenario)
         recorded = record(scenario, concrete)
         played = folder / "played.csv"
         played.write_text(recorded.csv, encoding="utf-8")

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
-from typing import Any, Protocol
+from dataclasses import asdict, dataclass, field
+from typing import Any
 
 from scegen.benchmark.stability import Stability, facts
 from scegen.benchmark.tallies import Tally, count_hazards, count_participants, table
@@ -13,18 +13,16 @@ from scegen.scenario.functional import FunctionalScenario
 from scegen.understanding import Case, read, score
 
 
-class Described(Protocol):
-    """A description that a file holds: labelled, or with facts."""
+@dataclass(frozen=True, slots=True)
+class Record:
+    """A description and what must be true of it when it runs."""
 
-    @property
-    def id(self) -> str:
-        """What it is called in its file."""
-
-    @property
-    def text(self) -> str:
-        """The description."""
+    id: str
+    text: str
+    facts: dict[str, Any]
 
 
+Described = Case | Record
 Understand = Callable[[Described, int], FunctionalScenario]
 """Reads a description; the number counts the runs over it, from 1."""
 
@@ -41,15 +39,6 @@ class Failure:
     text: str
     problems: tuple[str, ...]
     runs: tuple[int, ...] = (1,)
-
-    def to_data(self) -> dict[str, Any]:
-        """As data that JSON can hold."""
-        return {
-            "case": self.case,
-            "text": self.text,
-            "problems": list(self.problems),
-            "runs": list(self.runs),
-        }
 
 
 @dataclass(slots=True)
@@ -96,7 +85,7 @@ class Result:
             "fields": {k: {"held": h, "judged": n} for k, (h, n) in sorted(self.fields.items())},
             "participants": table(self.kinds),
             "hazards": table(self.hazards),
-            "failures": [f.to_data() for f in self.failures],
+            "failures": [asdict(failure) for failure in self.failures],
             "stability": self.stability.to_data(),
             "stopped": self.stopped,
             "left": self.left,
