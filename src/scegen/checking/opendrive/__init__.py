@@ -16,28 +16,24 @@ from scegen.checking.opendrive.read import read_network
 from scegen.checking.opendrive.rules.described import check_described
 from scegen.checking.opendrive.rules.folds import check_folds, check_overlaps
 from scegen.checking.opendrive.rules.header import check_elevation, check_version
+from scegen.checking.opendrive.rules.joints import check_joints
 from scegen.checking.opendrive.rules.junctions import (
     check_connected_types,
     check_connecting_roads,
     check_connections,
 )
-from scegen.checking.opendrive.rules.links import (
-    check_dead_ends,
-    check_joints,
-    check_lane_links,
-    check_reachability,
-    check_road_links,
-)
+from scegen.checking.opendrive.rules.lane_links import check_lane_links
 from scegen.checking.opendrive.rules.plan_view import (
     check_geometry_kinds,
     check_readable_kinds,
     check_reference_line,
     check_stations,
 )
-from scegen.checking.opendrive.rules.sections import (
+from scegen.checking.opendrive.rules.reachability import check_dead_ends, check_reachability
+from scegen.checking.opendrive.rules.road_links import check_road_links
+from scegen.checking.opendrive.rules.sections import check_lanes_carry_on, check_sections
+from scegen.checking.opendrive.rules.widths import (
     check_driving_widths,
-    check_lanes_carry_on,
-    check_sections,
     check_width_steps,
     check_widths,
 )
