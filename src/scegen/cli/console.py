@@ -51,16 +51,11 @@ def result_json(data: object) -> None:
     result(json.dumps(data, indent=2, ensure_ascii=False))
 
 
-def write_text(text: str, output: Path | None) -> None:
-    """Write to a file, or to stdout."""
+def write_bytes(content: bytes, output: Path | None) -> None:
+    """Write to a file; without one, a text to stdout."""
     if output is None:
-        result(text)
+        result(content.decode())
         return
-    write_bytes(text.encode(), output)
-
-
-def write_bytes(content: bytes, output: Path) -> None:
-    """Write to a file."""
     try:
         output.write_bytes(content)
     except OSError as error:

@@ -38,9 +38,13 @@ def parameterise(
 ) -> None:
     """Write a scenario with parameters (OpenSCENARIO 1.2), and values to play it with."""
     from scegen.checking.environment import ESMINI_HINT, esmini
-    from scegen.pipeline.parameter_sets import PARAMETERISED_FILE, VALUES_FILE, set_files
+    from scegen.pipeline.parameter_sets import (
+        PARAMETERISED_FILE,
+        VALUES_FILE,
+        parameter_source,
+        set_files,
+    )
     from scegen.pipeline.parameter_sets import write_parameter_files as run
-    from scegen.pipeline.parameter_source import parameter_source
 
     if output.exists() and not output.is_dir():
         raise InputError("is a file, not a folder", where=str(output), hint="choose another -o")

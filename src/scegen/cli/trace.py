@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from scegen.cli.console import result, write_bytes
+from scegen.cli.console import write_bytes
 from scegen.cli.options import OutputFile, ScenarioOption
 from scegen.errors import InputError
 from scegen.pipeline.options import TraceFormat, TracePlayer
@@ -50,7 +50,4 @@ def trace(
         player=player,
         dt_s=dt,
     )
-    if output is None:
-        result(content.decode())
-    else:
-        write_bytes(content, output)
+    write_bytes(content, output)

@@ -10,6 +10,8 @@ from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
 import httpx2
+from genai_prices import Usage as PricedUsage
+from genai_prices import calc_price
 from pydantic import ValidationError
 from pydantic_ai.messages import ModelMessage, ModelMessagesTypeAdapter, ModelResponse
 from pydantic_ai.models import Model, ModelRequestParameters
@@ -21,8 +23,7 @@ from scegen.llm.budget import Ledger
 from scegen.llm.client import ClosedTransport, GuardedTransport
 from scegen.llm.faults import Fault, LlmError
 from scegen.llm.keys import blot
-from scegen.llm.naming import ModelName
-from scegen.llm.prices import cost_usd
+from scegen.llm.naming import COMPATIBLE, PROVIDERS, ModelName
 from scegen.llm.providers import build_model
 from scegen.llm.settings import Limits
 from scegen.llm.transcript import Exchange, Recorder, Recording, words_of
@@ -235,3 +236,20 @@ async def ask_until(
             return trouble, attempt
         await asyncio.sleep(wait)
         pause = min(pause * 2, limits.longest_wait_s)
+
+
+def cost_usd(name: ModelName, input_tokens: int, output_tokens: int) -> float | None:
+    """List price in US dollars, None if it is not known; local models are free.
+
+    Prompt caches and discounts by the hour are left out: the real price is at most this.
+    """
+    if name.provider == COMPATIBLE:
+        return None
+    if PROVIDERS[name.provider].local:
+        return 0.0
+    usage = PricedUsage(input_tokens=input_tokens, output_tokens=output_tokens)
+    try:
+        price = calc_price(usage, name.model, provider_id=name.provider)
+    except LookupError:
+        return None
+    return float(price.total_price)

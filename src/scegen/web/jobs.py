@@ -27,7 +27,6 @@ try:
 except ModuleNotFoundError:  # not on every system
     resource = None  # type: ignore[assignment]
 
-_PRELOADED = ("scegen.web.tasks", "scegen.web.filming")
 _LONGEST_STEPS = 200
 MOST_MEMORY = 4 << 30
 """Bytes that one job may take, where the system can hold it to that."""
@@ -111,7 +110,7 @@ class Jobs:
 
     def __init__(self, *more: str, at_once: int | None = None) -> None:
         self._turn = threading.BoundedSemaphore(at_once or max(2, os.cpu_count() or 2))
-        self._context = _context(*_PRELOADED, *more)
+        self._context = _context("scegen.web.tasks", *more)
         self._running: set[Job] = set()
 
     def start(self, what: str, told: Callable[[Job], None], task: Task, *arguments: object) -> Job:
