@@ -61,20 +61,6 @@ class ParameterFiles:
     frozen: Sequence[str]
     passed_over: Counter[str] = field(default_factory=Counter)
 
-    def save(self, folder: Path) -> None:
-        """Write all files into a folder, which is made if need be.
-
-        Raises:
-            InputError: it cannot be written to.
-        """
-        try:
-            for name, content in self.files.items():
-                file = folder / name
-                file.parent.mkdir(parents=True, exist_ok=True)
-                file.write_bytes(content)
-        except OSError as error:
-            raise InputError(f"cannot be written: {error.strerror}", where=str(folder)) from error
-
 
 def write_parameter_files(
     functional: FunctionalScenario | None,
