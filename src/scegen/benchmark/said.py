@@ -27,7 +27,6 @@ from scegen.scenario.files import load, read_text
 JUDGE_FILE = "judge_catalogue.py"
 Judge = Callable[[dict[str, Any], str], list[tuple[str, Any, Any, bool]]]
 """(facts, path of a recording) → (fact, expected, measured, holds)."""
-Progress = Callable[[str], None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,7 +128,7 @@ def run(
     *,
     seed: int = 0,
     only: Collection[str] = (),
-    progress: Progress = lambda _: None,
+    progress: Callable[[str], None] = lambda _: None,
 ) -> Iterator[Row]:
     """Every description, or those with these ids only, as files, played and judged.
 
