@@ -142,15 +142,15 @@ class Builder:
     def _slug(self, pattern: tuple[int, ...], assignments: tuple[Assignment, ...]) -> str:
         """Of many drivers the slug tells the pattern alone, so there are few."""
         if len(pattern) <= MOST_SPELT_OUT:
-            return slug_of(self._functional.junction, assignments)
+            return _slug_of(self._functional.junction, assignments)
         if pattern not in self._slugs:
             if len(self._slugs) >= MOST_ORDERS:
                 self._slugs.clear()
-            self._slugs[pattern] = slug_of(self._functional.junction, assignments)
+            self._slugs[pattern] = _slug_of(self._functional.junction, assignments)
         return self._slugs[pattern]
 
 
-def slug_of(junction: Junction, assignments: tuple[Assignment, ...]) -> str:
+def _slug_of(junction: Junction, assignments: tuple[Assignment, ...]) -> str:
     """Such as ``0left-2straight``: who enters at arm 0 turns left, who enters at 2 goes straight.
 
     With more than four drivers, or too long, the pattern: ``moves-1x3-2x7`` (three make move 1,

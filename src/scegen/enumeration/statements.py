@@ -95,7 +95,7 @@ def stated(functional: FunctionalScenario) -> Stated:
     out.facts += junction_facts(functional.junction)
     out.facts += [p.Vehicle(v.id) for v in vehicles] + [p.VehicleCount(len(vehicles))]
     out.facts += [p.OnStrip(v.id) for v in vehicles if v.strip is not None]
-    out.facts += [p.SquareToRoad(v.id) for v in vehicles if backs_square(functional, v)]
+    out.facts += [p.SquareToRoad(v.id) for v in vehicles if _backs_square(functional, v)]
     out.facts += [p.Crosser(c.id) for c in crossers] + [p.Ego(functional.ego.id)]
     out.facts += [p.Position(m.id, i) for i, m in enumerate((*vehicles, *crossers), start=1)]
     limit = out.number(f"at most {QUEUE_LIMIT} vehicles fit on one arm")
@@ -168,7 +168,7 @@ def _approaches(out: Stated, functional: FunctionalScenario) -> None:
         number = out.number(told)
         out.facts.append(p.Approach(number, name, reference))
         open_road = functional.junction.kind is JunctionKind.STRAIGHT and name not in reversing
-        open_road &= not passes_behind(functional, name, reference)
+        open_road &= not _passes_behind(functional, name, reference)
         on_foot = name not in drivers
         words = _places(said, open_road=open_road and not on_foot)
         out.facts += [p.Says(name, reference, word) for word in words]
@@ -228,7 +228,7 @@ def _either(words: tuple[int, ...] | list[Maneuver] | list[Approach]) -> str:
     return " or ".join(str(word) for word in words)
 
 
-def backs_square(functional: FunctionalScenario, vehicle: Participant) -> bool:
+def _backs_square(functional: FunctionalScenario, vehicle: Participant) -> bool:
     """Whether one that backs out goes straight back, as far as the words go.
 
     It stands beside the lanes, or others come past from a side of it, or at a junction it is said
@@ -238,7 +238,7 @@ def backs_square(functional: FunctionalScenario, vehicle: Participant) -> bool:
     if vehicle.maneuvers - {Maneuver.STRAIGHT}:
         return False
     if vehicle.strip is not None or any(
-        passes_behind(functional, other.id, name) for other in functional.vehicles
+        _passes_behind(functional, other.id, name) for other in functional.vehicles
     ):
         return True
     hit = outcome is not None and outcome.kind is OutcomeKind.COLLISION and name in outcome.between
@@ -247,7 +247,7 @@ def backs_square(functional: FunctionalScenario, vehicle: Participant) -> bool:
     return hit or bool(vehicle.maneuvers)
 
 
-def passes_behind(functional: FunctionalScenario, name: str, reference: str) -> bool:
+def _passes_behind(functional: FunctionalScenario, name: str, reference: str) -> bool:
     """Whether somebody comes from one side of another, who reverses towards it."""
     said = words_between(functional, name, reference)
     return frozenset() < said <= _ASIDE and any(

@@ -32,7 +32,7 @@ _DATE = "2025-01-01T00:00:00"
 """A fixed date, so that the same network gives the same bytes."""
 _VENDOR = "ML-SceGen"
 _DIGITS = 9
-_WIDTH_M = 0.12
+_MARK_WIDTH_M = 0.12
 
 
 def write_opendrive(
@@ -146,11 +146,11 @@ def _lanes(road: Road) -> xodr.Lanes:
     for part in sections(road):
         seen = replace(road, lanes=part.lanes)
         centre = xodr.Lane(lane_type=xodr.LaneType.none)
-        centre.add_roadmark(road_mark(seen, 0))
+        centre.add_roadmark(_road_mark(seen, 0))
         section = xodr.LaneSection(_number(part.from_m), centre)
         for lane in sorted(part.lanes, key=lambda lane: abs(lane.id)):
             written = _lane(lane, part)
-            written.add_roadmark(road_mark(seen, lane.id))
+            written.add_roadmark(_road_mark(seen, lane.id))
             if lane.id > 0:
                 section.add_left_lane(written)
             else:
@@ -234,7 +234,7 @@ def _complete_header(root: ET.Element, network: RoadNetwork) -> None:
     header.set("west", f"{min(pose.x_m for pose in poses):.3f}")
 
 
-def road_mark(road: Road, lane_id: int) -> xodr.RoadMark:
+def _road_mark(road: Road, lane_id: int) -> xodr.RoadMark:
     """The mark on the outer border of a lane; of lane 0, the centre line.
 
     Solid at the edges of the carriageways, broken between lanes of one direction and on the
@@ -265,4 +265,4 @@ def _centre_mark(road: Road) -> xodr.RoadMark:
 
 
 def _line(kind: xodr.RoadMarkType, change: xodr.LaneChange) -> xodr.RoadMark:
-    return xodr.RoadMark(kind, width=_WIDTH_M, laneChange=change)
+    return xodr.RoadMark(kind, width=_MARK_WIDTH_M, laneChange=change)
