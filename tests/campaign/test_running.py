@@ -21,12 +21,11 @@ import pytest
 from campaigns import TEXTS, Notes, campaign, make
 from command import PROGRAM, SOURCE, as_process
 
-from scegen.campaign.batching import batches_of
 from scegen.campaign.engines import Engine, WorkerLostError, Workforce
 from scegen.campaign.examining import examine
 from scegen.campaign.order import Described
 from scegen.campaign.rows import OBJECT_COLUMNS, SECONDS
-from scegen.campaign.running import run_campaign
+from scegen.campaign.running import batches_of, run_campaign
 from scegen.campaign.store import Store, StoreError
 from scegen.campaign.verifying import verify
 from scegen.errors import InputError

@@ -9,7 +9,7 @@ import shapely
 from scegen.concretization import concretize
 from scegen.motion import build_paths, simulate
 from scegen.motion.footprints import box_corners
-from scegen.report.corners import thing_corners
+from scegen.report.world import thing_corners
 from scegen.road import build_network
 from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import DrivingSide, HazardKind

@@ -11,8 +11,8 @@ from scegen.measures.bodies import body_table
 from scegen.measures.occlusion import occlusion_series
 from scegen.motion import build_paths
 from scegen.motion.batch import compile_program, simulate_batch
-from scegen.report.corners import thing_corners
 from scegen.report.lane_shapes import road_shapes
+from scegen.report.world import thing_corners
 from scegen.road import build_network
 from scegen.road.model import LaneType
 from scegen.scenario.evidence import Evidence, EvidenceSource

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from scegen.enumeration import enumerate_scenarios, plain_crossing
-from scegen.enumeration.deadlock import deadlock_among
+from scegen.enumeration.conflicts import deadlock_among
 from scegen.enumeration.programs import Part, consequences
 from scegen.enumeration.right_of_way import road_rules
 from scegen.enumeration.wide_curves import curves_that_meet

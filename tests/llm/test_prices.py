@@ -7,8 +7,8 @@ import pytest
 
 from scegen.errors import InputError
 from scegen.llm.client import ClosedTransport
+from scegen.llm.line import cost_usd
 from scegen.llm.naming import COMPATIBLE, PROVIDERS, ModelName
-from scegen.llm.prices import cost_usd
 from scegen.llm.providers import build_model
 
 

@@ -16,6 +16,7 @@ from scegen.enumeration import enumerate_scenarios
 from scegen.errors import InfeasibleError, InputError
 from scegen.export.expressions import Expression
 from scegen.pipeline.export import ROAD_FILE
+from scegen.pipeline.folder import write_files
 from scegen.pipeline.parameter_sets import (
     PARAMETERISED_FILE,
     VALUES_FILE,
@@ -50,7 +51,7 @@ def written(said, tmp_path_factory):
     """The files of three sets, and their folder."""
     made = write_parameter_files(*said, count=3, seed=5, alone=True)
     folder = tmp_path_factory.mktemp("parameters")
-    made.save(folder)
+    write_files(folder, made.files)
     return made, folder
 
 

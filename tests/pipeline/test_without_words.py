@@ -29,8 +29,8 @@ MAY_SHOW_THEM = {
     "pipeline/contents.py": "writes them into the summary",
     "report/evidence.py": "shows them",
     "report/html.py": "shows them",
+    "web/deliveries.py": "shows them",
     "web/provenance.py": "says which of them a change by hand replaces",
-    "web/readme.py": "shows them",
     "web/steps/opening.py": "shows them",
     "web/work.py": "shows them, and hands them on",
 }

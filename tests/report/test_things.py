@@ -7,10 +7,10 @@ from things import thing
 
 from scegen.criticality.encounter import closest_encounter
 from scegen.motion import build_paths, simulate
-from scegen.report.corners import thing_corners
 from scegen.report.preview import preview_svg
 from scegen.report.tables import tables
 from scegen.report.words import thing_words
+from scegen.report.world import thing_corners
 from scegen.road import build_network
 from scegen.scenario.concrete import ConcreteParticipant, DriveMotion
 from scegen.scenario.functional import Hazard

@@ -40,12 +40,8 @@ _LATENCY_FILE = "latency.json"
 class Measured:
     """What a benchmark of language models measures beside the score.
 
-    Attributes:
-        speakers: (description, run) -> the model that spoke, or the offline reader.
-        faults: kind -> how often.
-        disagreements: facts that reader and agents read differently.
-        seconds: of each reading that has been timed.
-        usage: requests, tokens and cost of all readings.
+    ``speakers`` are by (description, run), ``faults`` counted by kind; ``seconds`` are those of
+    each reading that has been timed, ``usage`` is that of all readings.
     """
 
     speakers: dict[tuple[str, int], str] = field(default_factory=dict)
@@ -55,11 +51,7 @@ class Measured:
     usage: Usage = field(default_factory=Usage)
 
     def to_data(self, result: Result) -> dict[str, Any]:
-        """As data that JSON can hold.
-
-        Args:
-            result: the score of the same run.
-        """
+        """As data that JSON can hold."""
         readings = max(result.readings, 1)
         cost = None if self.usage.unpriced else round(self.usage.cost_usd / readings, 6)
         return {
@@ -79,11 +71,7 @@ class Measured:
         }
 
     def by_speaker(self, result: Result) -> dict[str, tuple[int, int]]:
-        """Speaker -> number of readings, and how many of them were understood.
-
-        Args:
-            result: the score of the same run.
-        """
+        """Speaker -> number of readings, and how many of them were understood."""
         found: dict[str, tuple[int, int]] = {}
         for key, name in sorted(self.speakers.items(), key=lambda item: item[1]):
             count, understood = found.get(name, (0, 0))
@@ -92,12 +80,7 @@ class Measured:
 
 
 def quantile(values: list[float], share: float) -> float | None:
-    """The smallest value that at least this share of the values does not exceed; None of none.
-
-    Args:
-        values: in any order.
-        share: in (0, 1].
-    """
+    """The smallest value that at least this share, in (0, 1], does not exceed; None of none."""
     if not values:
         return None
     rank = -int(-share * len(values) // 1)  # rounded up
@@ -107,11 +90,8 @@ def quantile(values: list[float], share: float) -> float | None:
 class AgentReader:
     """Reads descriptions with language models, as ``scegen understand --llm`` does.
 
-    Args:
-        settings: as for one description; the budget is for all of them together, and the
-            folders of recordings get one folder for each description and run.
-        environment: holds the keys.
-        progress: told each step.
+    The budget of ``settings`` is for all descriptions together, and the folders of recordings get
+    one folder for each description and run. ``environment`` holds the keys.
 
     Raises:
         InputError: the folder to record into is not empty.
@@ -135,11 +115,7 @@ class AgentReader:
             )
 
     def __call__(self, case: Described, run: int) -> FunctionalScenario:
-        """The scenario of a description.
-
-        Args:
-            case: the description.
-            run: which reading of it, from 1.
+        """The scenario of a description, read for this time (from 1).
 
         Raises:
             StoppedError: the provider is gone, the budget spent, or the recording at its end.

@@ -22,8 +22,6 @@ PAPER_CASES = 11
 PAPER_TRUE = 8
 """The paper reports valid files for 9 of its 11 sentences; 8 come out true."""
 
-Progress = Callable[[str], None]
-
 
 @dataclass(frozen=True, slots=True)
 class Row:
@@ -98,7 +96,7 @@ class Row:
         }
 
 
-def run(progress: Progress = lambda _: None, *, seed: int = 0) -> Iterator[Row]:
+def run(progress: Callable[[str], None] = lambda _: None, *, seed: int = 0) -> Iterator[Row]:
     """Generate and check every case in a folder of its own, which is removed again."""
     warm_kernels()
     for case in paper_cases():

@@ -15,28 +15,18 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from scegen.benchmark.understand import Understand, about_the_text, offline
+from scegen.benchmark.understand import Record, Understand, about_the_text, offline
 from scegen.checking.recording import Player, record
-from scegen.checking.subject import SCENARIO_FILE
+from scegen.checking.subject import CONCRETE_FILE, SCENARIO_FILE
 from scegen.errors import InputError, ScegenError
 from scegen.pipeline.generate import Result, generate
 from scegen.pipeline.options import CheckDepth, Options
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.files import load_any, read_text
+from scegen.scenario.files import load, read_text
 
 JUDGE_FILE = "judge_catalogue.py"
 Judge = Callable[[dict[str, Any], str], list[tuple[str, Any, Any, bool]]]
 """(facts, path of a recording) → (fact, expected, measured, holds)."""
-Progress = Callable[[str], None]
-
-
-@dataclass(frozen=True, slots=True)
-class Record:
-    """A description and what must be true of it when it runs."""
-
-    id: str
-    text: str
-    facts: dict[str, Any]
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,17 +128,9 @@ def run(
     *,
     seed: int = 0,
     only: Collection[str] = (),
-    progress: Progress = lambda _: None,
+    progress: Callable[[str], None] = lambda _: None,
 ) -> Iterator[Row]:
-    """Every description as files, played and judged.
-
-    Args:
-        records: what is said and what must be true.
-        judge: who decides.
-        understand: who reads the descriptions.
-        seed: of everything random.
-        only: ids; empty for all.
-        progress: told what is being worked on.
+    """Every description, or those with these ids only, as files, played and judged.
 
     Raises:
         StoppedError: nobody is left who could read.
@@ -173,9 +155,7 @@ def _row(item: Record, judge: Judge, understand: Understand, seed: int, folder: 
         options = Options(seed=seed, depth=CheckDepth.NONE)
         made = generate(functional, folder / "made", options)
         scenario = _first(made) / SCENARIO_FILE
-        concrete = load_any(scenario.with_name("concrete.yaml"))
-        if not isinstance(concrete, ConcreteScenario):
-            raise InputError("is no concrete scenario", where=str(scenario.parent))
+        concrete = load(scenario.with_name(CONCRETE_FILE), ConcreteScenario)
         recorded = record(scenario, concrete)
         played = folder / "played.csv"
         played.write_text(recorded.csv, encoding="utf-8")

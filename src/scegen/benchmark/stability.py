@@ -26,24 +26,14 @@ class FieldStability:
 
 @dataclass(slots=True)
 class Stability:
-    """How far the runs over a description agree.
-
-    Attributes:
-        runs: how often each description is read.
-        whole: of the descriptions as a whole.
-        fields: field -> of that field alone.
-    """
+    """How far the ``runs`` over a description agree: as a ``whole``, and by field."""
 
     runs: int = 1
     whole: FieldStability = field(default_factory=FieldStability)
     fields: dict[str, FieldStability] = field(default_factory=dict)
 
     def add(self, readings: Sequence[tuple[Facts, Mapping[str, bool]]]) -> None:
-        """Adds a description, if it was read in every run.
-
-        Args:
-            readings: the facts and the judged fields of each run.
-        """
+        """Adds a description, if it was read in every run."""
         if self.runs < 2 or len(readings) < self.runs:
             return
         facts, fields = [f for f, _ in readings], [j for _, j in readings]
@@ -70,11 +60,7 @@ def _count(one: FieldStability, values: Sequence[object], judged: Sequence[objec
 
 
 def facts(scenario: FunctionalScenario | None) -> Facts:
-    """What a scenario says, by field, whatever it calls its participants and rests it on.
-
-    Args:
-        scenario: None where the text was refused.
-    """
+    """What a scenario says, by field, but for names and what it rests on; nothing of None."""
     if scenario is None:
         return {}
     junction = scenario.junction

@@ -46,11 +46,7 @@ class Tally:
 
 
 def total(tallies: Mapping[str, Tally]) -> Tally:
-    """All tallies added up.
-
-    Args:
-        tallies: kind -> tally.
-    """
+    """All tallies added up."""
     added = Tally()
     for tally in tallies.values():
         added.right += tally.right
@@ -60,11 +56,7 @@ def total(tallies: Mapping[str, Tally]) -> Tally:
 
 
 def table(tallies: Mapping[str, Tally]) -> dict[str, dict[str, float]]:
-    """The tallies and their total as data that JSON can hold.
-
-    Args:
-        tallies: kind -> tally.
-    """
+    """The tallies and their total as data that JSON can hold."""
     rows = {kind: tally.to_data() for kind, tally in sorted(tallies.items())}
     return rows | {"all": total(tallies).to_data()}
 
@@ -72,13 +64,7 @@ def table(tallies: Mapping[str, Tally]) -> dict[str, dict[str, float]]:
 def count_participants(
     tallies: dict[str, Tally], expect: Mapping[str, Any], scenario: FunctionalScenario | None
 ) -> None:
-    """Adds the participants of a scenario, by kind.
-
-    Args:
-        tallies: added to.
-        expect: the label.
-        scenario: None where the text was refused.
-    """
+    """Adds the participants of a scenario, by kind; none where the text was refused."""
     if "actors" not in expect:
         return
     everybody = scenario.participants if scenario is not None else ()
@@ -95,13 +81,7 @@ def count_participants(
 def count_hazards(
     tallies: dict[str, Tally], expect: Mapping[str, Any], scenario: FunctionalScenario | None
 ) -> None:
-    """Adds the hazards of a scenario, by kind.
-
-    Args:
-        tallies: added to.
-        expect: the label.
-        scenario: None where the text was refused.
-    """
+    """Adds the hazards of a scenario, by kind; none where the text was refused."""
     if "hazards" not in expect:
         return
     found = {h.kind.value for h in scenario.hazards} if scenario is not None else set()

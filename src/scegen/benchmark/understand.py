@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
-from typing import Any, Protocol
+from dataclasses import asdict, dataclass, field
+from typing import Any
 
 from scegen.benchmark.stability import Stability, facts
 from scegen.benchmark.tallies import Tally, count_hazards, count_participants, table
@@ -13,18 +13,16 @@ from scegen.scenario.functional import FunctionalScenario
 from scegen.understanding import Case, read, score
 
 
-class Described(Protocol):
-    """A description that a file holds: labelled, or with facts."""
+@dataclass(frozen=True, slots=True)
+class Record:
+    """A description and what must be true of it when it runs."""
 
-    @property
-    def id(self) -> str:
-        """What it is called in its file."""
-
-    @property
-    def text(self) -> str:
-        """The description."""
+    id: str
+    text: str
+    facts: dict[str, Any]
 
 
+Described = Case | Record
 Understand = Callable[[Described, int], FunctionalScenario]
 """Reads a description; the number counts the runs over it, from 1."""
 
@@ -42,32 +40,15 @@ class Failure:
     problems: tuple[str, ...]
     runs: tuple[int, ...] = (1,)
 
-    def to_data(self) -> dict[str, Any]:
-        """As data that JSON can hold."""
-        return {
-            "case": self.case,
-            "text": self.text,
-            "problems": list(self.problems),
-            "runs": list(self.runs),
-        }
-
 
 @dataclass(slots=True)
 class Result:
     """The score of a file.
 
-    Attributes:
-        cases: number of descriptions of which there is a reading.
-        readings: number of readings; more than ``cases`` where each is read again.
-        understood: how many readings hold as a whole.
-        fields: field -> (how often it holds, how often it is judged).
-        kinds: participant kind -> its tally.
-        hazards: hazard kind -> its tally.
-        failures: the descriptions that do not hold.
-        stability: how far the runs over a description agree.
-        held: (description, run) -> whether that reading holds as a whole.
-        stopped: why the rest was not read; None if nothing is left.
-        left: number of descriptions without any reading.
+    There are more ``readings`` than ``cases`` where each is read again; ``understood`` of them hold
+    as a whole. ``fields`` tell how often each holds and how often it is judged, ``kinds`` and
+    ``hazards`` are by kind, ``held`` is by (description, run). ``stopped`` is why the ``left`` ones
+    were not read.
     """
 
     cases: int = 0
@@ -104,7 +85,7 @@ class Result:
             "fields": {k: {"held": h, "judged": n} for k, (h, n) in sorted(self.fields.items())},
             "participants": table(self.kinds),
             "hazards": table(self.hazards),
-            "failures": [f.to_data() for f in self.failures],
+            "failures": [asdict(failure) for failure in self.failures],
             "stability": self.stability.to_data(),
             "stopped": self.stopped,
             "left": self.left,
@@ -125,12 +106,8 @@ def run(
 ) -> Result:
     """Scores labelled descriptions.
 
-    Args:
-        cases: descriptions with labels.
-        understand: who reads them, the offline reader unless said otherwise; raises
-            :class:`StoppedError` where it cannot go on.
-        repeat: how often each is read.
-        told: told of each reading.
+    ``understand`` raises :class:`StoppedError` where it cannot go on; ``told`` hears of each
+    reading.
     """
     result = Result(stability=Stability(runs=repeat))
     for number, case in enumerate(cases, start=1):
@@ -155,11 +132,7 @@ def run(
 
 
 def about_the_text(error: InputError) -> bool:
-    """Whether it is the description that cannot be used, and not a setting or a recording.
-
-    Args:
-        error: raised by whoever reads it.
-    """
+    """Whether it is the description that cannot be used, and not a setting or a recording."""
     return isinstance(error, NotTrafficError | InfeasibleError) or error.where == "description"
 
 

@@ -47,13 +47,7 @@ class Examined:
 
 
 def examine(store: Store, plans: Sequence[str], *, rows: bool = False) -> Examined:
-    """Look at every file of a campaign.
-
-    Args:
-        store: its folder.
-        plans: the keys of its plans.
-        rows: whether every row is held against its own digest, too.
-    """
+    """Look at every file of a campaign; with ``rows``, hold all rows against their digests."""
     found = Examined()
     _plans(store, plans, found)
     present = _objects(store, found)

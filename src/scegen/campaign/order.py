@@ -115,9 +115,7 @@ class Campaign(CheckedModel):
 def load_campaign(path: Path, changes: dict[str, Any]) -> Campaign:
     """The campaign of a file, complete: descriptions of other files stand in it.
 
-    Args:
-        path: RUN.yaml, or a file of descriptions.
-        changes: fields that are given otherwise, and stand above the file's.
+    ``changes`` are fields that are given otherwise, and stand above those of the file.
 
     Raises:
         InputError: a file cannot be used; says which, where, and what may stand there.

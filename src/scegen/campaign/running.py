@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from contextlib import closing
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from time import perf_counter
 from typing import Protocol
 
-from scegen.campaign.batching import Work, batches_of, works_of
+import pyarrow.parquet as pq
+
 from scegen.campaign.claiming import Finished, alone, claim, keep_manifest
 from scegen.campaign.engines import WorkerLostError, Workforce
 from scegen.campaign.examining import Examined, examine
-from scegen.campaign.making import enlist, make_batch, warm
+from scegen.campaign.making import Batch, enlist, make_batch, warm
 from scegen.campaign.order import Campaign, Described
 from scegen.campaign.planning import content_of, items, plan_description, plan_key
 from scegen.campaign.rows import FAILED, table_of
@@ -23,6 +25,7 @@ from scegen.campaign.verifying import digest_of
 MOST_IN_BATCH = 64
 _ROUNDS = 3
 """So often a batch may lose its worker; then its items go one by one, and then they fail."""
+BATCH_COST_S = 4.0
 
 
 class Watch(Protocol):
@@ -159,3 +162,53 @@ def _give_up(store: Store, works: list[Work]) -> None:
     (item,) = items(works[0].plan, [works[0].number])
     why = {"status": FAILED, "stage": "worker", "reason": f"its worker died {_ROUNDS} times"}
     store.write_batch(table_of([item.row | why]))
+
+
+@dataclass(frozen=True, slots=True)
+class Work:
+    """A planned item: where it stands, and about how long it takes."""
+
+    key: str
+    plan: Path
+    number: int
+    cost_s: float
+
+
+def works_of(store: Store, keys: list[str], missing: set[str]) -> list[Work]:
+    """The items that are not made yet."""
+    works: list[Work] = []
+    for key, path in store.plans().items():
+        if key not in keys:
+            continue
+        table = pq.read_table(path, columns=["key", "cost"])
+        for number, (item, cost) in enumerate(
+            zip(table.column("key").to_pylist(), table.column("cost").to_pylist(), strict=True)
+        ):
+            if item in missing:
+                works.append(Work(item, path, number, cost))
+    return works
+
+
+def batches_of(works: list[Work], most: int, workers: int) -> list[Batch]:
+    """Items that take about as long together, those of a plan beside one another, longest first.
+
+    Every worker gets several, so that all end at about the same time.
+    """
+    whole = sum(work.cost_s for work in works)
+    limit = min(BATCH_COST_S, max(whole / (8 * workers), 0.1))
+    batches: list[list[Work]] = [[]]
+    cost = 0.0
+    for work in sorted(works, key=lambda work: (-work.cost_s, work.plan.name, work.number)):
+        if batches[-1] and (cost + work.cost_s > limit or len(batches[-1]) >= most):
+            batches.append([])
+            cost = 0.0
+        batches[-1].append(work)
+        cost += work.cost_s
+    return [_batch(works) for works in batches if works]
+
+
+def _batch(works: list[Work]) -> Batch:
+    plans: dict[Path, list[int]] = {}
+    for work in works:
+        plans.setdefault(work.plan, []).append(work.number)
+    return tuple((path, tuple(numbers)) for path, numbers in plans.items())

@@ -34,10 +34,7 @@ _LONGEST_S = 120.0
 def check_parameters(scenario: Path, values: Path, alone: Mapping[str, Path]) -> CheckResult:
     """Play every set of values, and beside it the scenario of its own that has them.
 
-    Args:
-        scenario: the file with parameters.
-        values: the file of sets.
-        alone: by name of the set, the scenario files of their own, in the order of the sets.
+    ``alone`` are the scenario files of their own by name of the set, in the order of the sets.
     """
     findings: list[Finding] = []
     worst = 0.0

@@ -176,9 +176,7 @@ def compare(predicted: Prediction, recording: list[Movement], log: str) -> Agree
 def position_errors(trace: Trace, points: np.ndarray[tuple[int], np.dtype[np.complex128]]) -> Array:
     """Distance between predicted and played reference point by step, m.
 
-    Args:
-        trace: the prediction.
-        points: what was played, x + iy; may be one step shorter than the prediction.
+    ``points`` are x + iy, and may be one step shorter than the prediction.
     """
     steps = min(len(points), len(trace.x_m))
     wanted = trace.x_m[:steps] + 1j * trace.y_m[:steps]

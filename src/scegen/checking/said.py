@@ -35,11 +35,8 @@ def check_said(
 ) -> CheckResult:
     """Play a scenario, in esmini or else in our own simulation, and judge every statement.
 
-    Args:
-        subject: its numbers, what was said, and what a search was asked for besides.
-        scenario: the file to play.
-        driven_from_outside: who does as it likes: then nothing is judged.
-        once: plays it in esmini, for others too.
+    Nothing is judged where somebody is driven from outside, who does as it likes. ``once`` plays it
+    in esmini, for others too.
     """
     concrete, functional = subject.concrete, subject.functional
     if concrete is None or functional is None:

@@ -7,8 +7,8 @@ from typing import Annotated
 
 import typer
 
+from scegen.cli.console import write_bytes
 from scegen.cli.options import JsonFlag, OutputFile, SeedOption
-from scegen.cli.writing import write_text
 
 
 def concretize(
@@ -27,4 +27,5 @@ def concretize(
     logical = load(source, LogicalSet)
     scenario = pick(logical, str(index), option="--index")[0]
     concrete = choose_numbers(logical.functional, scenario, seed=seed)
-    write_text(to_json(concrete) if json else to_yaml(concrete), output)
+    text = to_json(concrete) if json else to_yaml(concrete)
+    write_bytes(text.encode(), output)

@@ -1,4 +1,4 @@
-"""Where words go: results to stdout, everything else to stderr."""
+"""Where words go: results to stdout or into a file, everything else to stderr."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import json
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import TypeVar
 
 from rich.console import Console
@@ -17,6 +18,8 @@ from rich.progress import (
     TextColumn,
     TimeElapsedColumn,
 )
+
+from scegen.errors import InputError
 
 T = TypeVar("T")
 
@@ -46,6 +49,17 @@ def result(text: str) -> None:
 def result_json(data: object) -> None:
     """A result as indented JSON, on stdout."""
     result(json.dumps(data, indent=2, ensure_ascii=False))
+
+
+def write_bytes(content: bytes, output: Path | None) -> None:
+    """Write to a file; without one, a text to stdout."""
+    if output is None:
+        result(content.decode())
+        return
+    try:
+        output.write_bytes(content)
+    except OSError as error:
+        raise InputError(f"cannot be written: {error.strerror}", where=str(output)) from error
 
 
 @contextmanager

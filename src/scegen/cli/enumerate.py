@@ -16,7 +16,7 @@ from scegen.cli.certificates import (
     tell_claim,
     tell_count,
 )
-from scegen.cli.console import result, say
+from scegen.cli.console import result, say, write_bytes
 from scegen.cli.gallery import require_picture, write_picture
 from scegen.cli.listing import listing_under_way, stream_json, stream_lines, write_json
 from scegen.cli.options import (
@@ -27,7 +27,6 @@ from scegen.cli.options import (
     WhereOption,
     rules_of,
 )
-from scegen.cli.writing import write_text
 from scegen.errors import InputError
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 from scegen.scenario.wording import covering
@@ -115,7 +114,7 @@ def enumerate_(
         whole = listing.finished(tuple(scenarios))
     logical = _chosen(whole, rank=rank, sample=sample, cover=cover, limit=limit)
     if output is not None:
-        write_text(to_json(logical), output)
+        write_bytes(to_json(logical).encode(), output)
     if gallery is not None:
         write_picture(logical, gallery)
     reached = None

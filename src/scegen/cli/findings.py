@@ -42,12 +42,7 @@ _GROUND = 20
 
 
 def print_report(report: ParseReport, console: Console) -> None:
-    """Prints a report for a person.
-
-    Args:
-        report: of a description.
-        console: a terminal.
-    """
+    """Prints a report for a person."""
     coloured = not console.no_color and console.color_system is not None
     if coloured:
         console.print(_sentence(report), soft_wrap=False)
@@ -119,11 +114,7 @@ class Row:
 
 
 def rows(findings: tuple[Finding, ...]) -> list[Row]:
-    """Findings as rows, in order.
-
-    Args:
-        findings: of one standing.
-    """
+    """Findings of one standing as rows, in order."""
     merged: dict[tuple[object, ...], tuple[list[str], list[str], Finding]] = {}
     for finding in findings:
         who, what = _named(finding.field)

@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from scegen.cli.console import result
-from scegen.cli.writing import write_bytes
+from scegen.cli.console import result, write_bytes
 from scegen.errors import InputError
 
 if TYPE_CHECKING:

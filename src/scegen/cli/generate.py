@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from scegen.cli.console import result, say, working
-from scegen.cli.danger import proof_lines
 from scegen.cli.llm import Asked, Listener, asks_models, tell, tell_proposals
 from scegen.cli.options import (
     ArmsOption,
@@ -25,6 +25,8 @@ from scegen.scenario.wording import counted
 
 if TYPE_CHECKING:
     from scegen.pipeline.generate import Result
+    from scegen.scenario.functional import FunctionalScenario
+    from scegen.scenario.proof import Proof
 
 
 @asks_models
@@ -130,7 +132,7 @@ def _tell(made: Result) -> None:
     for name, reason in made.skipped.items():
         say(f"skipped {name}: {reason}")
     for name, proof in made.proofs.items():
-        for line in proof_lines(proof, functional):
+        for line in _proof_lines(proof, functional):
             say(f"{name}: {line}")
     for name, report in made.checks.items():
         told = made.proofs[name].missed if name in made.proofs else ()
@@ -145,3 +147,24 @@ def _tell(made: Result) -> None:
     if logical is not None and len(made.checks) < len(logical.scenarios):
         say(f"made {len(made.checks)} of {len(logical.scenarios)}; more with --count or --pick")
     say(f"open {made.folder / 'report.html'}")
+
+
+def _proof_lines(proof: Proof, functional: FunctionalScenario | None) -> Iterator[str]:
+    """A line on the target, one on all statements, and one for each that does not hold."""
+    measure = proof.of(proof.measure)
+    values = "" if measure is None else f" ({measure.in_words})"
+    pair = " and ".join(proof.pair)
+    if proof.in_band:
+        yield f"{proof.target} of {pair}: {proof.measure}{values}"
+    elif not pair:
+        yield f"TARGET NOT REACHED: {proof.target}: {proof.blocked_by or 'there is no pair'}"
+    else:
+        why = f"; {proof.blocked_by}" if proof.blocked_by else ""
+        yield f"TARGET NOT REACHED: {proof.target} of {pair}: {proof.measure}{values}{why}"
+    if proof.claims:
+        unjudged = functional.unjudged if functional is not None else None
+        yield f"{proof.held}; {unjudged}" if unjudged else proof.held
+    for claim in proof.missed:
+        words = f' ("{claim.words}")' if claim.words else ""
+        yield f"DOES NOT HOLD: {claim.statement}{words}: {claim.found}"
+        yield f"  what would help: {claim.helps}"

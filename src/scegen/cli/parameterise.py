@@ -38,9 +38,14 @@ def parameterise(
 ) -> None:
     """Write a scenario with parameters (OpenSCENARIO 1.2), and values to play it with."""
     from scegen.checking.environment import ESMINI_HINT, esmini
-    from scegen.pipeline.parameter_sets import PARAMETERISED_FILE, VALUES_FILE, set_files
+    from scegen.pipeline.folder import write_files
+    from scegen.pipeline.parameter_sets import (
+        PARAMETERISED_FILE,
+        VALUES_FILE,
+        parameter_source,
+        set_files,
+    )
     from scegen.pipeline.parameter_sets import write_parameter_files as run
-    from scegen.pipeline.parameter_source import parameter_source
 
     if output.exists() and not output.is_dir():
         raise InputError("is a file, not a folder", where=str(output), hint="choose another -o")
@@ -48,7 +53,7 @@ def parameterise(
         raise MissingToolError(f"esmini is not on PATH; {ESMINI_HINT}")
     functional, concrete = parameter_source(source, index, seed, scenario)
     made = run(functional, concrete, count=sets, seed=seed, alone=alone or confirm)
-    made.save(output)
+    write_files(output, made.files)
     for item in made.declared:
         result(f"{item.name}  {item.low:g} to {item.high:g}, {item.value:g}")
     for line in made.frozen:

@@ -29,26 +29,14 @@ def show_report(
     *,
     as_json: bool = False,
 ) -> None:
-    """Prints the report on an understood description.
-
-    Args:
-        functional: the scenario with its evidence.
-        disagreements: what the offline reader and the agents read differently.
-        as_json: print JSON instead.
-    """
+    """Prints the report on an understood description."""
     from scegen.understanding import report_on
 
     _show(report_on(functional, disagreements), as_json)
 
 
 def show_refusal(source: str, error: InputError, *, as_json: bool = False) -> None:
-    """Prints the report on a description that contradicts itself, or is not about traffic.
-
-    Args:
-        source: the description, or the file that holds it.
-        error: what is wrong with it.
-        as_json: print JSON instead.
-    """
+    """Prints the report on a description that contradicts itself, or is not about traffic."""
     from scegen.scenario.files import read_text
     from scegen.understanding import ParseReport, report_on_contradiction
 

@@ -8,10 +8,9 @@ from typing import Annotated
 
 import typer
 
-from scegen.cli.console import counting, result
+from scegen.cli.console import counting, result, write_bytes
 from scegen.cli.options import ScenarioOption
 from scegen.cli.trace import CONCRETE_FILE
-from scegen.cli.writing import write_bytes
 from scegen.errors import InputError
 from scegen.pipeline.place import scenario_file
 

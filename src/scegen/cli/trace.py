@@ -7,9 +7,8 @@ from typing import Annotated
 
 import typer
 
-from scegen.cli.console import result
+from scegen.cli.console import write_bytes
 from scegen.cli.options import OutputFile, ScenarioOption
-from scegen.cli.writing import write_bytes
 from scegen.errors import InputError
 from scegen.pipeline.options import TraceFormat, TracePlayer
 from scegen.pipeline.place import scenario_file
@@ -51,7 +50,4 @@ def trace(
         player=player,
         dt_s=dt,
     )
-    if output is None:
-        result(content.decode())
-    else:
-        write_bytes(content, output)
+    write_bytes(content, output)

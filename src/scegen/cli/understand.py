@@ -6,11 +6,10 @@ from typing import Annotated
 
 import typer
 
-from scegen.cli.console import working
+from scegen.cli.console import working, write_bytes
 from scegen.cli.llm import Asked, Listener, asks_models, tell
 from scegen.cli.options import JsonFlag, OutputFile
 from scegen.cli.parse_report import show_refusal, show_report, tell_unsupported
-from scegen.cli.writing import write_text
 from scegen.errors import InputError
 
 
@@ -48,4 +47,5 @@ def understand(
         show_report(functional, understood.disagreements if understood else (), as_json=json)
         return
     tell_unsupported(functional)
-    write_text(to_json(functional) if json else to_yaml(functional), output)
+    text = to_json(functional) if json else to_yaml(functional)
+    write_bytes(text.encode(), output)

@@ -2,11 +2,9 @@
 
 from scegen.checking.esmini.recording import Movement
 from scegen.closed_loop.careful import CarefulDriver
-from scegen.closed_loop.judging import Danger, judged
 from scegen.closed_loop.own import OwnSimulation
 from scegen.closed_loop.player import PlayerSimulation, esmini_library
-from scegen.closed_loop.running import Driver, drive
-from scegen.closed_loop.state import Simulation, State
+from scegen.closed_loop.running import Danger, Driver, Simulation, State, drive, judged
 
 __all__ = [
     "CarefulDriver",

@@ -12,19 +12,19 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from scegen.closed_loop.state import State
+from scegen.closed_loop.running import State
 from scegen.criticality.careful_driver import (
-    CRITICAL_TTC_S,
-    DECELERATION_G,
     DELAY_S,
     JERK_MPS3,
     RISK_EVALUATION_S,
+    hardest_mps2,
+    horizon_s,
 )
 from scegen.criticality.perception import perceivable_dangers
 from scegen.measures.bodies import body_table
 from scegen.motion import build_paths, simulate
 from scegen.motion.batch.arrays import COS, HEADING, SIN, SPEED, TRACK_ROWS, Floats, S, X, Y
-from scegen.motion.friction import GRAVITY_MPS2, friction_of
+from scegen.motion.friction import friction_of
 from scegen.motion.model import Path
 from scegen.motion.standing import object_paths
 from scegen.road import build_network
@@ -53,10 +53,7 @@ class CarefulDriver:
         self._way = paths[concrete.ego.id]
         friction = friction_of(concrete.environment)
         self._bodies = body_table([each.body for each in concrete.entities], friction=friction)
-        body = concrete.ego.body
-        self._hardest_mps2 = min(
-            DECELERATION_G * GRAVITY_MPS2, body.max_deceleration_mps2, friction * GRAVITY_MPS2
-        )
+        self._hardest_mps2 = hardest_mps2(concrete.ego.body, friction)
         planned = simulate(concrete, own)[concrete.ego.id]
         self._planned_s, self._planned_mps = planned.time_s, planned.speed_mps
         self._s_m = 0.0
@@ -85,11 +82,8 @@ class CarefulDriver:
         if self.brakes_s is not None:
             return
         tracks = np.stack(self._seen, axis=2)
-        speed = tracks[self._ego, SPEED]
-        rise_s = self._hardest_mps2 / JERK_MPS3
-        stop_s = RISK_EVALUATION_S + DELAY_S + rise_s / 2 + speed / self._hardest_mps2
-        horizon_s = np.maximum(CRITICAL_TTC_S, stop_s)
-        now = perceivable_dangers(tracks, self._bodies, self._ways, self._ego, horizon_s)[:, -1]
+        ahead_s = horizon_s(tracks[self._ego, SPEED], self._hardest_mps2)
+        now = perceivable_dangers(tracks, self._bodies, self._ways, self._ego, ahead_s)[:, -1]
         for name, dangerous in zip(self._names, now.tolist(), strict=True):
             if not dangerous:
                 self._since.pop(name, None)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from scegen.closed_loop.state import State
+from scegen.closed_loop.running import State
 from scegen.motion import build_paths
 from scegen.motion.simulation import Steps
 from scegen.motion.standing import object_paths

@@ -16,7 +16,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from scegen.checking.environment import ESMINI_HINT, esmini
-from scegen.closed_loop.state import State
+from scegen.closed_loop.running import State
 from scegen.errors import InputError, MissingToolError
 from scegen.motion.trigger_steps import STEP_S
 

@@ -1,13 +1,56 @@
-"""A driver and a simulation, step by step to the end of the scenario."""
+"""A driver and a simulation, step by step to the end, and what the drive made of the danger."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 
 from scegen.checking.esmini.recording import Movement
-from scegen.closed_loop.state import Simulation, State
+from scegen.checking.said import recorded_view
+from scegen.claims.hazards.judging import judge, number
+from scegen.scenario.concrete import ConcreteScenario
+from scegen.scenario.proof import HazardProof
+
+_MEASURES = ("distance_m", "ttc_s", "pet_s", "drac_mps2", "contact_s")
+
+
+@dataclass(frozen=True, slots=True)
+class State:
+    """Where somebody is: the reference point (rear axle; a pedestrian's centre) in the world.
+
+    ``heading_rad`` counter-clockwise from east.
+    """
+
+    x_m: float
+    y_m: float
+    heading_rad: float
+    speed_mps: float
+
+
+class Simulation(Protocol):
+    """A scenario whose ego is driven from outside, in steps of ``dt_s``."""
+
+    @property
+    def dt_s(self) -> float:
+        """The time step."""
+
+    @property
+    def time_s(self) -> float:
+        """The present time, 0 at the start."""
+
+    @property
+    def states(self) -> Mapping[str, State]:
+        """Everybody at the present time, things among them, by id."""
+
+    def step(self, ego: State) -> None:
+        """Go one step on; ``ego`` is where the ego will be then."""
+
+    def close(self) -> None:
+        """End it."""
+
 
 Driver = Callable[[float, float, Mapping[str, State]], State]
 """From time (s), step (s) and everybody's state to the ego's own state after the next step."""
@@ -36,3 +79,39 @@ def drive(simulation: Simulation, driver: Driver, duration_s: float) -> list[Mov
         )
         for name in seen[0]
     ]
+
+
+@dataclass(frozen=True, slots=True)
+class Danger:
+    """How near the ego came to one other, None where a measure does not exist.
+
+    ``distance_m`` is the least between the bodies, 0 in contact; ``ttc_s`` the least time to
+    collision; ``pet_s`` the post-encroachment time; ``drac_mps2`` the highest deceleration that
+    would have been needed; ``contact_s`` when they touched.
+    """
+
+    other: str
+    distance_m: float | None
+    ttc_s: float | None
+    pet_s: float | None
+    drac_mps2: float | None
+    contact_s: float | None
+
+
+def judged(
+    concrete: ConcreteScenario, movements: Sequence[Movement]
+) -> tuple[list[Danger], tuple[HazardProof, ...]]:
+    """The danger of the ego with everybody else, and whether each hazard still happens.
+
+    Raises:
+        RoadInfeasibleError, MotionInfeasibleError: the numbers cannot be built.
+    """
+    view = recorded_view(concrete, list(movements))
+    ego = concrete.ego.id
+    dangers = []
+    for entity in concrete.entities:
+        if entity.id == ego or view.pair(ego, entity.id) is None:
+            continue
+        values = {name: number(view.of_pair(name, ego, entity.id)[0]) for name in _MEASURES}
+        dangers.append(Danger(entity.id, **values))
+    return dangers, tuple(judge(view, hazard) for hazard in concrete.hazards)

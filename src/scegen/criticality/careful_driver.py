@@ -40,6 +40,7 @@ from scegen.motion.batch.arrays import SPEED, BatchTraces, Bools, Floats
 from scegen.motion.friction import GRAVITY_MPS2, friction_of
 from scegen.motion.model import Path
 from scegen.motion.standing import object_paths
+from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import AtTime, ConcreteScenario, SpeedPhase
 
 RISK_EVALUATION_S = 0.4
@@ -96,15 +97,25 @@ class Verdict:
     spare_s: float | None
 
 
+def hardest_mps2(body: Body, friction: float) -> float:
+    """What the driver brakes with: no more than vehicle and road allow."""
+    return min(DECELERATION_G * GRAVITY_MPS2, body.max_deceleration_mps2, friction * GRAVITY_MPS2)
+
+
+def horizon_s(speed_mps: Floats, braking_mps2: float) -> Floats:
+    """How far ahead the driver looks, for speeds of its own."""
+    rise_s = braking_mps2 / JERK_MPS3
+    stop_s = RISK_EVALUATION_S + DELAY_S + rise_s / 2 + speed_mps / braking_mps2
+    return np.maximum(CRITICAL_TTC_S, stop_s)
+
+
 def careful_driver_verdict(
     concrete: ConcreteScenario, paths: Mapping[str, Path], *, friction: float | None = None
 ) -> Verdict:
     """Let the careful and competent driver drive the ego, and see.
 
-    Args:
-        concrete: the scenario.
-        paths: its paths by participant, as :func:`scegen.motion.build_paths` makes them.
-        friction: coefficient between tyre and road; None for that of the environment.
+    ``paths`` are by participant, as :func:`scegen.motion.build_paths` makes them; ``friction`` is
+    the coefficient between tyre and road, None for that of the environment.
     """
     grip = friction_of(concrete.environment) if friction is None else friction
     own = concrete.ego.model_copy(update={"on_contact": None})  # its own crash is no braking
@@ -144,9 +155,7 @@ class _Trial:
 
     @cached_property
     def deceleration_mps2(self) -> float:
-        """What the driver brakes with: no more than vehicle and road allow."""
-        most = self.concrete.ego.body.max_deceleration_mps2
-        return min(DECELERATION_G * GRAVITY_MPS2, most, self.friction * GRAVITY_MPS2)
+        return hardest_mps2(self.concrete.ego.body, self.friction)
 
     @cached_property
     def as_driven(self) -> _Run:
@@ -212,12 +221,9 @@ class _Trial:
 
     def dangers(self, run: _Run) -> Bools:
         tracks = np.ascontiguousarray(run.traces.tracks[0, :, :, ::_LOOK_EVERY])
-        speed = tracks[self.ego, SPEED]
-        rise_s = self.deceleration_mps2 / JERK_MPS3
-        stop_s = RISK_EVALUATION_S + DELAY_S + rise_s / 2 + speed / self.deceleration_mps2
-        horizon_s = np.maximum(CRITICAL_TTC_S, stop_s)
+        ahead_s = horizon_s(tracks[self.ego, SPEED], self.deceleration_mps2)
         ways = [self.paths[name] for name in self.names]
-        return perceivable_dangers(tracks, self.bodies, ways, self.ego, horizon_s)
+        return perceivable_dangers(tracks, self.bodies, ways, self.ego, ahead_s)
 
     def first_danger(self) -> tuple[str | None, float | None]:
         """Who first stays a perceivable danger for the whole evaluation, and from when (s)."""

@@ -41,12 +41,10 @@ def perceivable_dangers(
 ) -> Bools:
     """Whether each participant is a perceivable danger to the ego, at each step: (i, t).
 
-    Args:
-        tracks: movements of one candidate, (i, track row, t).
-        bodies: as :func:`scegen.measures.bodies.body_table` makes them.
-        paths: one per participant.
-        ego: who looks; it is no danger to itself.
-        horizon_s: how far ahead the driver looks at each step, s: (t,).
+    ``tracks`` are those of one candidate, (i, track row, t), ``bodies`` as
+    :func:`scegen.measures.bodies.body_table` makes them, ``paths`` one per participant.
+    ``horizon_s`` (t,) is how far ahead the driver looks at each step, s. The ego is no danger to
+    itself.
     """
     out = np.zeros((tracks.shape[0], tracks.shape[2]), dtype=np.bool_)
     look = np.arange(0.0, float(horizon_s.max()) + LOOK_STEP_S, LOOK_STEP_S)

@@ -31,3 +31,24 @@ Meets = fact(
     "How the ways `entry` -> `exit` and `other_entry` -> `other_exit` meet.",
 )
 Holds = fact("holds(statement: int)", "A statement is kept.")
+GivesWay = fact(
+    "gives_way(entry: int, exit: int, other_entry: int, other_exit: int, rule: word)",
+    "The driver on `entry` -> `exit` gives way to the other one.",
+)
+Open = fact(
+    "open(entry: int, exit: int, other_entry: int, other_exit: int, rule: word)",
+    "Of two drivers nobody can say in advance who gives way.",
+)
+LetsCross = fact(
+    "lets_cross(entry: int, exit: int, arm: int, rule: word)",
+    "A driver gives way to one who crosses an arm.",
+)
+WaitsToCross = fact(
+    "waits_to_cross(entry: int, exit: int, arm: int, rule: word)",
+    "One who crosses an arm gives way to a driver.",
+)
+OpenToCross = fact(
+    "open_to_cross(entry: int, exit: int, arm: int, rule: word)",
+    "Between a driver and one who crosses, the light decides.",
+)
+Stuck = fact("stuck(way: way)", "A way that a deadlock may hold up.")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import Any
 
 from scegen.enumeration import predicates as p
@@ -13,10 +14,11 @@ from scegen.enumeration.ranges import said_numbers
 from scegen.enumeration.reading import Solution, Way
 from scegen.enumeration.resolving import act_resolver, hazard_resolver
 from scegen.enumeration.sharing import Kept, Share, Sharing, conflicts_among
-from scegen.enumeration.slugs import MOST_SPELT_OUT, slug_of
+from scegen.scenario.arms import ring_move
 from scegen.scenario.functional import Participant
-from scegen.scenario.logical import Assignment, LogicalScenario
-from scegen.scenario.vocabulary import Side
+from scegen.scenario.junction import Junction
+from scegen.scenario.logical import Assignment, Crossing, Drive, LogicalScenario
+from scegen.scenario.vocabulary import JunctionKind, Maneuver, Side
 
 MOST_ORDERS = 4096
 """Orders of arrival and slugs that are kept; a stream of millions must not fill the memory."""
@@ -29,6 +31,8 @@ Entries = tuple[tuple[int, ...], tuple[tuple[str, str, str], ...], tuple[tuple[i
 """Entries of the vehicles, if there are several, the places said of them, and who is on foot."""
 
 _FIELDS = set(LogicalScenario.model_fields)
+MAX_LENGTH = 40
+MOST_SPELT_OUT = 4
 
 
 class Builder:
@@ -116,7 +120,7 @@ class Builder:
             name = member.id
             place = Place(ranks.get(name, 0), lanes.get(name), beside.get(name))
             if name in slots:
-                rows.append(sharing.drives(slots[name], place))
+                rows.append(sharing.drives[slots[name], place])
             elif name in crossers:
                 rows.append(self._on_foot(name, place))
             else:
@@ -125,7 +129,7 @@ class Builder:
 
     def _on_foot(self, name: str, place: Place) -> Row:
         def share(choice: tuple[int, str]) -> Share:
-            return self._sharing.other(assignment_of(name, *choice, place))
+            return self._sharing.others[assignment_of(name, *choice, place)]
 
         return Kept(share)
 
@@ -133,14 +137,43 @@ class Builder:
         self, parked: Participant, entry_of: dict[str, int], crossed: list[tuple[int, Side]]
     ) -> Row:
         assignment = standing(self._functional, parked, entry_of, crossed)
-        return Kept(lambda _: self._sharing.other(assignment))
+        return Kept(lambda _: self._sharing.others[assignment])
 
     def _slug(self, pattern: tuple[int, ...], assignments: tuple[Assignment, ...]) -> str:
         """Of many drivers the slug tells the pattern alone, so there are few."""
         if len(pattern) <= MOST_SPELT_OUT:
-            return slug_of(self._functional.junction, assignments)
+            return _slug_of(self._functional.junction, assignments)
         if pattern not in self._slugs:
             if len(self._slugs) >= MOST_ORDERS:
                 self._slugs.clear()
-            self._slugs[pattern] = slug_of(self._functional.junction, assignments)
+            self._slugs[pattern] = _slug_of(self._functional.junction, assignments)
         return self._slugs[pattern]
+
+
+def _slug_of(junction: Junction, assignments: tuple[Assignment, ...]) -> str:
+    """Such as ``0left-2straight``: who enters at arm 0 turns left, who enters at 2 goes straight.
+
+    With more than four drivers, or too long, the pattern: ``moves-1x3-2x7`` (three make move 1,
+    seven move 2).
+    """
+    drives = [a for a in assignments if isinstance(a, Drive)]
+    words = [_word(junction, drive) for drive in drives]
+    words += [f"{a.arm}cross{a.start[0]}" for a in assignments if isinstance(a, Crossing)]
+    spelt = "-".join(words)
+    if len(drives) <= MOST_SPELT_OUT and len(spelt) <= MAX_LENGTH:
+        return spelt
+    counts = sorted(Counter(drive.move for drive in drives).items())
+    return "moves-" + "-".join(f"{move}x{times}" for move, times in counts)
+
+
+def _word(junction: Junction, drive: Drive) -> str:
+    beside = "" if drive.maneuver is drive.turn else drive.maneuver.value.replace("_", "")
+    if drive.reverses is not None:
+        beside = drive.reverses.value.replace("_", "")
+    return f"{drive.entry}{beside}{_way(junction, drive)}"
+
+
+def _way(junction: Junction, drive: Drive) -> str:
+    if junction.kind is JunctionKind.ROUNDABOUT:
+        return f"exit{ring_move(junction, drive.move) or junction.arms}"
+    return "uturn" if drive.turn is Maneuver.U_TURN else drive.turn.value

@@ -105,9 +105,7 @@ def rows_of_placements(
 ) -> dict[tuple[Row, ...], int]:
     """Ways to place vehicles who are told apart, by the rows of moves that this leaves them.
 
-    Args:
-        vehicles: the places of each, what it uses up there, and its row of moves.
-        room: as left to them.
+    ``vehicles``: the places of each, what it uses up there, and its row of moves.
     """
     anywhere = [v[0][2] for v in vehicles if _same_everywhere(v, room)]
     others = [v for v in vehicles if not _same_everywhere(v, room)]

@@ -1,7 +1,8 @@
-"""How paths meet: the table of conflicts.lp, looked up for the participants of a scenario."""
+"""Where two participants meet, and who of them waits in a circle."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from collections.abc import Set as AbstractSet
 from functools import lru_cache
 
@@ -64,3 +65,33 @@ def _kind(rules: RoadRules, first: Assignment, second: Assignment) -> ConflictKi
         first.entry if second.side is rules.kerb else first.exit
     )
     return ConflictKind.FOLLOWING if blocked else ConflictKind.NONE
+
+
+def may_be_stuck(rules: RoadRules, assignment: Assignment) -> bool:
+    """Whether somebody can be in a deadlock: first on its arm, on a way that one can hold up.
+
+    Those behind wait for their own leader, and reach the line when the leaders are through.
+    """
+    return (
+        isinstance(assignment, Drive)
+        and assignment.rank == 0
+        and assignment.maneuver is not Maneuver.STAY
+        and (assignment.entry, assignment.exit) in rules.stuck
+    )
+
+
+def deadlock_among(names: Sequence[str], conflicts: Iterable[Conflict]) -> tuple[str, ...]:
+    """Those of the named who wait for another of them in a circle, in the order of the names."""
+    number = {name: index for index, name in enumerate(names)}
+    behind = [0] * len(names)  # a bit for everybody who is waited for
+    for conflict in conflicts:
+        if conflict.yields is None or conflict.kind not in MEETING:
+            continue
+        other = conflict.second if conflict.yields == conflict.first else conflict.first
+        if other in number and conflict.yields in number:
+            behind[number[conflict.yields]] |= 1 << number[other]
+    for via in range(len(names)):
+        for one, reached in enumerate(behind):
+            if reached >> via & 1:
+                behind[one] |= behind[via]
+    return tuple(name for name, index in number.items() if behind[index] >> index & 1)

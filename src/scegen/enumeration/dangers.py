@@ -28,15 +28,9 @@ def say_dangers(
 ) -> dict[int, int]:
     """State what dangers, acts and the outcome demand.
 
-    Args:
-        out: the statements so far.
-        functional: the description, understood.
-        sides: both sides of each danger, as far as they are known.
-        left_open: dangers, by their place, of which nothing is presumed.
-        ranked: arms are told apart by their signs.
-
-    Returns:
-        The dangers, by their place, of which something is presumed, by statement.
+    ``sides`` are those of each danger as far as they are known; of those ``left_open``, by their
+    place, nothing is presumed. ``ranked``: arms are told apart by their signs. Gives back the
+    dangers, by their place, of which something is presumed, by statement.
     """
     for row_kind, row in HAZARDS.items():
         out.facts += [

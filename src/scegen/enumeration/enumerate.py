@@ -16,8 +16,7 @@ from scegen.enumeration.reading import Solution
 from scegen.enumeration.ruled import MAX_LISTED, RuledClasses, ruled_classes
 from scegen.enumeration.selection import covering, selected
 from scegen.enumeration.solving import solutions
-from scegen.enumeration.symmetry import symmetry_of
-from scegen.enumeration.symmetry_words import symmetry_in_words
+from scegen.enumeration.symmetry import symmetry_in_words, symmetry_of
 from scegen.errors import InputError
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Certificate, LogicalScenario, LogicalSet

@@ -26,12 +26,8 @@ def standing(
     """A parked vehicle stands on the arm where the one whom it hinders enters.
 
     Where its side is not said, one that hides somebody is on the side that one comes from.
-
-    Args:
-        functional: the description, understood.
-        parked: one of its parked vehicles.
-        entry_of: the arms at which the others enter.
-        crossed: the arms that are crossed, and from which side.
+    ``entry_of`` are the arms at which the others enter, ``crossed`` those that are crossed, and
+    from which side.
     """
     hindered = (*_hindered_by(functional, parked.id), functional.ego.id)
     arm = next(entry_of[name] for name in hindered if name in entry_of)

@@ -23,6 +23,25 @@ Lanes = fact(
 Ring = fact("ring", "The junction is a roundabout.")
 LeftHand = fact("left_hand", "Traffic keeps left.")
 
+# --- right of way: signs, lights and views ---------------------------------------------
+
+Minor = fact("minor(arm: int)", "A yield or stop sign stands at an arm.")
+Phase = fact("phase(arm: int, number: int)", "An arm has green in a phase.")
+Oncoming = fact(
+    "oncoming(arm: int, other: int)", "The traffic of two arms comes towards each other."
+)
+RightOf = fact(
+    "right_of(arm: int, other: int)", "Who enters at `arm` has the traffic of `other` to its right."
+)
+EntryFirst = fact(
+    "entry_first", "A roundabout where those who come in go before those on the ring."
+)
+Crosswalk = fact("crosswalk(arm: int)", "Who crosses this arm does so on a marked crosswalk.")
+CurvesMeet = fact(
+    "curves_meet(entry: int, exit: int, other_entry: int, other_exit: int)",
+    "As drawn, two ways cross although their ends do not interleave.",
+)
+
 # --- who takes part -----------------------------------------------------------------------
 
 Vehicle = fact("vehicle(id: word)", "One who enters and leaves the junction.")

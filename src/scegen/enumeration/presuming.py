@@ -30,13 +30,7 @@ class Parties:
 
 
 def parties(functional: FunctionalScenario, hazard: Hazard, *, left_open: bool) -> Parties:
-    """Both sides, as far as they are said or can be presumed.
-
-    Args:
-        functional: the description, understood.
-        hazard: one of its dangers.
-        left_open: presume nothing.
-    """
+    """Both sides, as far as they are said or, unless left open, can be presumed."""
     row = HAZARDS[hazard.kind]
     if left_open or (hazard.by and hazard.to):
         return Parties(hazard.by, hazard.to)

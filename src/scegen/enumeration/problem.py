@@ -29,16 +29,6 @@ Choice = tuple[int, str]
 
 
 @dataclass(frozen=True)
-class Demand:
-    """What a danger demands of ``by`` and ``to``."""
-
-    statement: int
-    by: str
-    to: str
-    what: str
-
-
-@dataclass(frozen=True)
 class Problem:
     """Everything that the encodings and the counting need.
 
@@ -46,7 +36,8 @@ class Problem:
     them open. ``settled`` says that every entry is known and every move open, so nothing need be
     solved. ``wanted[vehicle, entry]`` are the choices that the words allow there. ``dependent``
     are the vehicles whose moves matter to others; the moves of all others are independent.
-    ``sides`` are both sides of each danger as far as they are said or presumed, ``presumed`` the
+    ``demands`` are :data:`~scegen.enumeration.answers.Needs` in rising order,
+    ``sides`` both sides of each danger as far as they are said or presumed, ``presumed`` the
     dangers, by statement, of which something is presumed.
     """
 
@@ -57,7 +48,7 @@ class Problem:
     entries: dict[str, tuple[int, ...]]
     settled: bool
     wanted: dict[tuple[str, int], tuple[Choice, ...]]
-    demands: tuple[Demand, ...]
+    demands: tuple[Predicate, ...]
     dependent: frozenset[str]
     sides: tuple[Parties, ...]
     presumed: dict[int, int]
@@ -107,10 +98,8 @@ def build_problem(
 ) -> Problem:
     """Read the statements and derive what follows from the words alone.
 
-    Args:
-        functional: the description, understood.
-        left_open: dangers, by their place, of which nothing is presumed.
-        ranked: arms are told apart by their signs.
+    Of the dangers ``left_open``, by their place, nothing is presumed. ``ranked``: arms are told
+    apart by their signs.
 
     Raises:
         InfeasibleError: too many vehicles, an ego that does not drive, or somebody who comes the
@@ -131,7 +120,8 @@ def build_problem(
         presumed = say_dangers(said, functional, sides, left_open, ranked=ranked)
         shown = (a.Wanted, a.Needs, a.Dependent)
         derived = consequences(said.facts, (Part.ARMS, Part.WORDS), shown)
-    demands = _demands(derived)
+    needs = [fact for fact in derived if isinstance(fact, a.Needs)]
+    demands = tuple(sorted(needs, key=lambda d: (d.statement, d.by, d.to, d.what)))
     said.facts += _besides(said.facts, demands)
     entries = {
         m.id: tuple(sorted(m.entries)) for m in (*vehicles, *functional.crossers) if m.entries
@@ -189,7 +179,7 @@ def _wordless(functional: FunctionalScenario) -> bool:
     )
 
 
-def _besides(facts: Iterable[Predicate], demands: Iterable[Demand]) -> list[Predicate]:
+def _besides(facts: Iterable[Predicate], demands: Iterable[Predicate]) -> list[Predicate]:
     """Who comes into another's lane starts beside it, where no words say where it starts."""
     facts = tuple(facts)
     kinds = {f.statement: HazardKind(f.kind) for f in facts if isinstance(f, p.Hazard)}
@@ -212,15 +202,6 @@ def _every_move(functional: FunctionalScenario) -> dict[tuple[str, int], tuple[C
     arms = functional.junction.arms
     moves = tuple((move, "plain") for move in range(1, arms))
     return {(v.id, entry): moves for v in functional.vehicles for entry in range(arms)}
-
-
-def _demands(derived: Iterable[Predicate]) -> tuple[Demand, ...]:
-    found = [
-        Demand(fact.statement, fact.by, fact.to, fact.what)
-        for fact in derived
-        if isinstance(fact, a.Needs)
-    ]
-    return tuple(sorted(found, key=lambda d: (d.statement, d.by, d.to, d.what)))
 
 
 def _wanted(derived: Iterable[Predicate]) -> dict[tuple[str, int], tuple[Choice, ...]]:

@@ -30,7 +30,6 @@ from clorm import Predicate
 
 from scegen.enumeration import answers as a
 from scegen.enumeration import predicates as p
-from scegen.enumeration import rule_predicates as r
 from scegen.enumeration.programs import Part, consequences
 from scegen.enumeration.statements import junction_facts
 from scegen.enumeration.wide_curves import Ways, curves_that_meet
@@ -73,19 +72,19 @@ def road_rules(junction: Junction, *, u_turns: bool = False) -> RoadRules:
     """The table of a junction, by one run of the solver; ``u_turns`` draws these roads too."""
     parts = (Part.ARMS, Part.CONFLICTS, Part.RIGHT_OF_WAY, Part.DEADLOCK)
     wanted = (
-        a.Meets, r.GivesWay, r.Open, r.LetsCross, r.WaitsToCross, r.OpenToCross, r.Stuck
+        a.Meets, a.GivesWay, a.Open, a.LetsCross, a.WaitsToCross, a.OpenToCross, a.Stuck
     )  # fmt: skip
     found = consequences(rule_facts(junction, u_turns=u_turns), parts, wanted)
     return RoadRules(
         kinds={
             tuple(fact)[:-1]: ConflictKind(fact.kind) for fact in found if isinstance(fact, a.Meets)
         },
-        gives_way=_rules(found, r.GivesWay),
-        open=_rules(found, r.Open),
-        lets_cross=_rules(found, r.LetsCross),
-        waits_to_cross=_rules(found, r.WaitsToCross),
-        open_to_cross=_rules(found, r.OpenToCross),
-        stuck=frozenset((fact.way[0], fact.way[1]) for fact in found if isinstance(fact, r.Stuck)),
+        gives_way=_rules(found, a.GivesWay),
+        open=_rules(found, a.Open),
+        lets_cross=_rules(found, a.LetsCross),
+        waits_to_cross=_rules(found, a.WaitsToCross),
+        open_to_cross=_rules(found, a.OpenToCross),
+        stuck=frozenset((fact.way[0], fact.way[1]) for fact in found if isinstance(fact, a.Stuck)),
         kerb=junction.kerb,
     )
 
@@ -100,21 +99,21 @@ def rule_facts(junction: Junction, *, u_turns: bool = False) -> list[Predicate]:
     ]
     angles = arm_angles_deg(junction)
     facts += [
-        r.RightOf(arm, other)
+        p.RightOf(arm, other)
         for arm in arms
         for other in arms
         if arm != other and turn_deg(angles, arm, (other - arm) % junction.arms) < 0
     ]
-    facts += [r.Oncoming(*pair) for pair in sorted(oncoming_arms(junction))]
-    facts += [r.CurvesMeet(*pair) for pair in sorted(curves_that_meet(junction, u_turns=u_turns))]
-    facts += [r.Crosswalk(arm) for arm in arms if has_crosswalk(junction, arm)]
+    facts += [p.Oncoming(*pair) for pair in sorted(oncoming_arms(junction))]
+    facts += [p.CurvesMeet(*pair) for pair in sorted(curves_that_meet(junction, u_turns=u_turns))]
+    facts += [p.Crosswalk(arm) for arm in arms if has_crosswalk(junction, arm)]
     if control in {Control.YIELD, Control.STOP}:
-        facts += [r.Minor(arm) for arm in sorted(controlled_arms(junction))]
+        facts += [p.Minor(arm) for arm in sorted(controlled_arms(junction))]
     if control is Control.SIGNALS:
-        facts += [r.Phase(arm, phase) for arm, phase in enumerate(signal_phases(junction))]
+        facts += [p.Phase(arm, phase) for arm, phase in enumerate(signal_phases(junction))]
     right = p.LeftHand() not in facts
     if junction.kind is JunctionKind.ROUNDABOUT and control is Control.PRIORITY_TO_RIGHT and right:
-        facts.append(r.EntryFirst())
+        facts.append(p.EntryFirst())
     return facts
 
 

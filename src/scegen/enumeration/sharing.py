@@ -9,8 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-from scegen.enumeration.conflicts import conflict_between
-from scegen.enumeration.deadlock import deadlock_among, may_be_stuck
+from scegen.enumeration.conflicts import conflict_between, deadlock_among, may_be_stuck
 from scegen.enumeration.on_foot import Place
 from scegen.enumeration.problem import Problem
 from scegen.enumeration.ranges import offset_range, speed_range
@@ -72,7 +71,7 @@ class Share:
     def __init__(self, sharing: Sharing, assignment: Assignment) -> None:
         self.assignment = assignment
         self.speed = sharing.speed(assignment)
-        self.may_be_stuck = sharing.may_be_stuck(assignment)
+        self.may_be_stuck = may_be_stuck(sharing.rules, assignment)
         self.conflicts: Kept[Share, Conflict | None] = Kept(
             lambda other: sharing.conflict(assignment, other.assignment)
         )
@@ -90,24 +89,26 @@ def conflicts_among(shares: tuple[Share, ...]) -> tuple[Conflict, ...]:
 
 
 class Sharing:
-    """The parts of all scenarios of one problem."""
+    """The parts of all scenarios of one problem.
+
+    ``drives`` are the shares of the vehicle in a place of the listing order, by way; ``others``
+    those of who crosses an arm or stands on one.
+    """
 
     def __init__(self, problem: Problem) -> None:
         self._problem = problem
         turns_back = any(move == 0 for found in problem.wanted.values() for move, _ in found)
-        self._rules = road_rules(problem.functional.junction, u_turns=turns_back)
+        self.rules = road_rules(problem.functional.junction, u_turns=turns_back)
         self._pairs = 0
         self.full = False
         self._equal: dict[Any, Any] = {}
-        self._drives: Kept[tuple[int, Place], Kept[Way, Share]] = Kept(
+        self.drives: Kept[tuple[int, Place], Kept[Way, Share]] = Kept(
             lambda key: Kept(lambda way: Share(self, self._drive(way, *key)))
         )
-        self._others: Kept[Assignment, Share] = Kept(lambda assignment: Share(self, assignment))
+        self.others: Kept[Crossing | Standing | Walking, Share] = Kept(
+            lambda assignment: Share(self, assignment)
+        )
         self._deadlocks: dict[tuple[Share, ...], tuple[str, ...]] = {}
-
-    def drives(self, slot: int, place: Place) -> Kept[Way, Share]:
-        """The shares of the vehicle in this place of the listing order, by way."""
-        return self._drives[slot, place]
 
     def _drive(self, way: Way, slot: int, place: Place) -> Drive:
         entry, move, manner = way
@@ -135,14 +136,6 @@ class Sharing:
             **place.fields(),
         )
 
-    def other(self, assignment: Crossing | Standing | Walking) -> Share:
-        """The share of one who crosses an arm or stands on one."""
-        return self._others[assignment]
-
-    def may_be_stuck(self, assignment: Assignment) -> bool:
-        """Whether a participant can be in a deadlock."""
-        return may_be_stuck(self._rules, assignment)
-
     def deadlock(self, shares: tuple[Share, ...]) -> tuple[str, ...]:
         """Those of whom each must wait for another of them, among those who may be stuck."""
         line = tuple([share for share in shares if share.may_be_stuck])
@@ -165,18 +158,18 @@ class Sharing:
         """How two participants meet."""
         self._pairs += 1
         self.full = self._pairs > MOST_PAIRS
-        return conflict_between(self._rules, first, second, self._problem.functional.on_call)
+        return conflict_between(self.rules, first, second, self._problem.functional.on_call)
 
     def forget(self) -> None:
         """Let go of all shares: too many are made anew, not piled up."""
         self._pairs, self.full = 0, False
-        self._drives.clear()
-        self._others.clear()
+        self.drives.clear()
+        self.others.clear()
         self._deadlocks.clear()
 
     def offset(self, ego: Assignment, other: Assignment) -> ParameterRange | None:
         """When another participant arrives, against the ego."""
-        met = conflict_between(self._rules, ego, other)
+        met = conflict_between(self.rules, ego, other)
         kind = ConflictKind.NONE if met is None else met.kind
         found = offset_range(self._problem.functional, ego, other, kind)
         return self._one(found)

@@ -10,13 +10,13 @@ from dataclasses import dataclass, field
 from clorm import Predicate
 
 from scegen.enumeration import predicates as p
-from scegen.enumeration.backing import backs_square, passes_behind
 from scegen.enumeration.directions import lanes_told
 from scegen.enumeration.on_foot import way_facts, ways_of
 from scegen.scenario.arms import arm_angles_deg, ring_move, seen_from, turn_deg, turn_name
 from scegen.scenario.functional import FunctionalScenario, Participant
-from scegen.scenario.in_line import in_next_lane
+from scegen.scenario.in_line import in_next_lane, words_between
 from scegen.scenario.junction import Junction
+from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.roadway import AuxiliaryLane
 from scegen.scenario.vocabulary import (
     Approach,
@@ -43,6 +43,7 @@ MANNERS: dict[Maneuver, tuple[str, ...]] = {
 """What the solver calls maneuvers that are no turns."""
 
 _ARM_WORDS = {CrossedArm.ENTRY: "comes", CrossedArm.EXIT: "leaves"}
+_ASIDE = frozenset({Approach.LEFT, Approach.RIGHT})
 
 
 @dataclass
@@ -94,7 +95,7 @@ def stated(functional: FunctionalScenario) -> Stated:
     out.facts += junction_facts(functional.junction)
     out.facts += [p.Vehicle(v.id) for v in vehicles] + [p.VehicleCount(len(vehicles))]
     out.facts += [p.OnStrip(v.id) for v in vehicles if v.strip is not None]
-    out.facts += [p.SquareToRoad(v.id) for v in vehicles if backs_square(functional, v)]
+    out.facts += [p.SquareToRoad(v.id) for v in vehicles if _backs_square(functional, v)]
     out.facts += [p.Crosser(c.id) for c in crossers] + [p.Ego(functional.ego.id)]
     out.facts += [p.Position(m.id, i) for i, m in enumerate((*vehicles, *crossers), start=1)]
     limit = out.number(f"at most {QUEUE_LIMIT} vehicles fit on one arm")
@@ -167,7 +168,7 @@ def _approaches(out: Stated, functional: FunctionalScenario) -> None:
         number = out.number(told)
         out.facts.append(p.Approach(number, name, reference))
         open_road = functional.junction.kind is JunctionKind.STRAIGHT and name not in reversing
-        open_road &= not passes_behind(functional, name, reference)
+        open_road &= not _passes_behind(functional, name, reference)
         on_foot = name not in drivers
         words = _places(said, open_road=open_road and not on_foot)
         out.facts += [p.Says(name, reference, word) for word in words]
@@ -225,3 +226,33 @@ def group_ways(
 
 def _either(words: tuple[int, ...] | list[Maneuver] | list[Approach]) -> str:
     return " or ".join(str(word) for word in words)
+
+
+def _backs_square(functional: FunctionalScenario, vehicle: Participant) -> bool:
+    """Whether one that backs out goes straight back, as far as the words go.
+
+    It stands beside the lanes, or others come past from a side of it, or at a junction it is said
+    to go straight or to be hit; who is said to turn does that.
+    """
+    name, outcome = vehicle.id, functional.outcome
+    if vehicle.maneuvers - {Maneuver.STRAIGHT}:
+        return False
+    if vehicle.strip is not None or any(
+        _passes_behind(functional, other.id, name) for other in functional.vehicles
+    ):
+        return True
+    hit = outcome is not None and outcome.kind is OutcomeKind.COLLISION and name in outcome.between
+    if functional.junction.kind is JunctionKind.STRAIGHT:
+        return hit and bool(vehicle.approaches) and vehicle.approaches <= _ASIDE
+    return hit or bool(vehicle.maneuvers)
+
+
+def _passes_behind(functional: FunctionalScenario, name: str, reference: str) -> bool:
+    """Whether somebody comes from one side of another, who reverses towards it."""
+    said = words_between(functional, name, reference)
+    return frozenset() < said <= _ASIDE and any(
+        hazard.kind is HazardKind.REVERSING
+        and reference in hazard.by
+        and (not hazard.to or name in hazard.to)
+        for hazard in functional.hazards
+    )

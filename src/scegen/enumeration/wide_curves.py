@@ -35,11 +35,8 @@ def curves_that_meet(junction: Junction, *, u_turns: bool = False) -> frozenset[
     """Pairs of ways from different arms to different arms whose centre lines meet as drawn.
 
     The road is the one that the description's junction gets by default. Empty where all arms lie
-    well apart, and where no such road can be built.
-
-    Args:
-        junction: the arms.
-        u_turns: whether U-turns are drawn too. They swing out far, however the arms lie.
+    well apart, and where no such road can be built. With ``u_turns``, these are drawn too: they
+    swing out far, however the arms lie.
     """
     if junction.kind in {JunctionKind.ROUNDABOUT, JunctionKind.STRAIGHT}:
         return frozenset()

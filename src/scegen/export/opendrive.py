@@ -12,7 +12,6 @@ from copy import deepcopy
 from dataclasses import replace
 
 from scegen.export.library import xodr
-from scegen.export.road_marks import road_mark
 from scegen.export.signs import add_controllers, entry_sign, lights_afoot, name_catalogue
 from scegen.road.fillet import wrapped
 from scegen.road.model import (
@@ -33,6 +32,7 @@ _DATE = "2025-01-01T00:00:00"
 """A fixed date, so that the same network gives the same bytes."""
 _VENDOR = "ML-SceGen"
 _DIGITS = 9
+_MARK_WIDTH_M = 0.12
 
 
 def write_opendrive(
@@ -44,14 +44,9 @@ def write_opendrive(
 ) -> str:
     """The network as OpenDRIVE 1.7 (ASAM, 2021), the same text for the same input.
 
-    Frame and units are those of the network (m, rad, x east, y north).
-
-    Args:
-        network: what to write.
-        control: which sign or light stands at the entries: stop, yield or signals; with any
-            other control none.
-        controlled_arms: the arms whose entries have it; all if left out.
-        signals: which lights show the same, as controllers.
+    Frame and units are those of the network (m, rad, x east, y north). At the entries of the
+    ``controlled_arms``, all if left out, stands the sign or light of ``control``, if that is stop,
+    yield or signals; ``signals`` says which lights show the same, as controllers.
     """
     document = xodr.OpenDrive(network.name, revMajor="1", revMinor="7")
     arms = range(len(network.arm_roads)) if controlled_arms is None else controlled_arms
@@ -151,11 +146,11 @@ def _lanes(road: Road) -> xodr.Lanes:
     for part in sections(road):
         seen = replace(road, lanes=part.lanes)
         centre = xodr.Lane(lane_type=xodr.LaneType.none)
-        centre.add_roadmark(road_mark(seen, 0))
+        centre.add_roadmark(_road_mark(seen, 0))
         section = xodr.LaneSection(_number(part.from_m), centre)
         for lane in sorted(part.lanes, key=lambda lane: abs(lane.id)):
             written = _lane(lane, part)
-            written.add_roadmark(road_mark(seen, lane.id))
+            written.add_roadmark(_road_mark(seen, lane.id))
             if lane.id > 0:
                 section.add_left_lane(written)
             else:
@@ -237,3 +232,37 @@ def _complete_header(root: ET.Element, network: RoadNetwork) -> None:
     header.set("south", f"{min(pose.y_m for pose in poses):.3f}")
     header.set("east", f"{max(pose.x_m for pose in poses):.3f}")
     header.set("west", f"{min(pose.x_m for pose in poses):.3f}")
+
+
+def _road_mark(road: Road, lane_id: int) -> xodr.RoadMark:
+    """The mark on the outer border of a lane; of lane 0, the centre line.
+
+    Solid at the edges of the carriageways, broken between lanes of one direction and on the
+    centre line of a road with one lane each way; none inside junctions, but where one direction of
+    a road goes straight on through.
+    """
+    if road.junction is not None and not road.goes_on:
+        return xodr.RoadMark(xodr.RoadMarkType.none)
+    if lane_id == 0:
+        return _centre_mark(road)
+    lane = road.lane(lane_id)
+    outer = next((x for x in road.lanes if x.id == lane_id + (1 if lane_id > 0 else -1)), None)
+    if lane.type is LaneType.MEDIAN:
+        return _line(xodr.RoadMarkType.solid, xodr.LaneChange.none)
+    if lane.type is not LaneType.DRIVING:
+        return xodr.RoadMark(xodr.RoadMarkType.none)
+    if outer is not None and outer.type is LaneType.DRIVING:
+        return _line(xodr.RoadMarkType.broken, xodr.LaneChange.both)
+    return _line(xodr.RoadMarkType.solid, xodr.LaneChange.none)
+
+
+def _centre_mark(road: Road) -> xodr.RoadMark:
+    if any(lane.type is LaneType.MEDIAN for lane in road.lanes):
+        return xodr.RoadMark(xodr.RoadMarkType.none)
+    if len(road.driving(1)) == len(road.driving(-1)) == 1:
+        return _line(xodr.RoadMarkType.broken, xodr.LaneChange.both)
+    return _line(xodr.RoadMarkType.solid, xodr.LaneChange.none)
+
+
+def _line(kind: xodr.RoadMarkType, change: xodr.LaneChange) -> xodr.RoadMark:
+    return xodr.RoadMark(kind, width=_MARK_WIDTH_M, laneChange=change)

@@ -50,14 +50,11 @@ def write_openscenario(
 ) -> bytes:
     """The scenario as an OpenSCENARIO file; the same input gives the same bytes.
 
-    Args:
-        concrete: the scenario.
-        paths: the path of every participant, by id; one vertex means that it stands.
-        road_file: where the OpenDRIVE file lies, as seen from the scenario file.
-        version: of OpenSCENARIO, ``1.0`` or ``1.2``.
-        ego: ``scripted`` follows its path and program; ``external`` is placed with its speed
-            and has no motion of its own, for a driver outside the file.
-        lamps: change the lights by actions as well, as esmini needs it and others refuse it.
+    A path of one vertex means that it stands. ``road_file`` is where the OpenDRIVE file lies, as
+    seen from the scenario file; ``version`` is ``1.0`` or ``1.2``. A ``scripted`` ego follows its
+    path and program, an ``external`` one is placed with its speed and has no motion of its own, for
+    a driver outside the file. With ``lamps``, lights are changed by actions as well, as esmini
+    needs it and others refuse it.
 
     Raises:
         InputError: the version or the ego is none of these, or a participant has no path.
@@ -91,14 +88,7 @@ def write_parameterised(
     *,
     road_file: str = "road.xodr",
 ) -> bytes:
-    """The scenario with parameters in place of numbers; their defaults are its own numbers.
-
-    Args:
-        concrete: the scenario.
-        paths: the path of every participant, by id.
-        parameters: what decides which number.
-        road_file: where the OpenDRIVE file lies, as seen from the scenario file.
-    """
+    """The scenario with parameters in place of numbers; their defaults are its own numbers."""
     with _library_writes(_MINOR[VERSION]) as minor:
         return _scenario(
             xml_text(f"{header_description(concrete.name)}. {parameters.note}"),

@@ -28,13 +28,8 @@ async def ask(
 ) -> R:
     """The answer of the agent ``name``.
 
-    Args:
-        line: to the model.
-        name: the agent's name.
-        kind: type of the answer; what does not validate goes back with the errors.
-        question: the user's message.
-        instructions: the agent's prompt.
-        complain: what is wrong with a valid answer, if anything; goes back likewise.
+    What does not validate as ``kind`` goes back with the errors, and so does a valid answer of
+    which ``complain`` says what is wrong.
 
     Raises:
         LlmError: no valid answer after every correction, or none at all.

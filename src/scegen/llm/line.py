@@ -7,9 +7,11 @@ import json
 from collections import Counter
 from collections.abc import Awaitable, Callable
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, TypeVar
 
 import httpx2
+from genai_prices import Usage as PricedUsage
+from genai_prices import calc_price
 from pydantic import ValidationError
 from pydantic_ai.messages import ModelMessage, ModelMessagesTypeAdapter, ModelResponse
 from pydantic_ai.models import Model, ModelRequestParameters
@@ -21,18 +23,17 @@ from scegen.llm.budget import Ledger
 from scegen.llm.client import ClosedTransport, GuardedTransport
 from scegen.llm.faults import Fault, LlmError
 from scegen.llm.keys import blot
-from scegen.llm.naming import ModelName
-from scegen.llm.prices import cost_usd
+from scegen.llm.naming import COMPATIBLE, PROVIDERS, ModelName
 from scegen.llm.providers import build_model
-from scegen.llm.retrying import ask_until
 from scegen.llm.settings import Limits
 from scegen.llm.transcript import Exchange, Recorder, Recording, words_of
-from scegen.llm.troubles import Trouble
+from scegen.llm.troubles import Trouble, trouble_of
 from scegen.llm.usage import Usage
 
 _BYTES_PER_TOKEN = 3
 """A cautious rule of thumb, for what a request takes before the server has counted."""
 _REPLAY_URL = "http://replay.invalid/v1"
+T = TypeVar("T")
 
 
 @dataclass
@@ -210,3 +211,45 @@ class _AgentModel(WrapperModel):
             return await self.wrapped.request(messages, settings, model_request_parameters)
 
         return await self._line.ask(self._agent, messages, len(json.dumps(schema)), send)
+
+
+async def ask_until(
+    send: Callable[[], Awaitable[T]], limits: Limits, deadline: float, key: str
+) -> tuple[T | Trouble, int]:
+    """The answer or the last trouble, and after how many attempts.
+
+    Nothing is awaited after the loop's time ``deadline``; ``key`` is blotted out of every message.
+    """
+    clock = asyncio.get_running_loop().time
+    pause = limits.first_wait_s
+    attempt = 0
+    while True:
+        attempt += 1
+        try:
+            async with asyncio.timeout(min(limits.request_s, deadline - clock())):
+                return await send(), attempt
+        except Exception as error:  # noqa: BLE001 - whatever a server provokes is a fault
+            trouble = trouble_of(error, key)
+        wait = pause if trouble.wait_s is None else trouble.wait_s
+        hopeless = not trouble.passing or attempt >= limits.attempts
+        if hopeless or wait > limits.longest_wait_s or clock() + wait >= deadline:
+            return trouble, attempt
+        await asyncio.sleep(wait)
+        pause = min(pause * 2, limits.longest_wait_s)
+
+
+def cost_usd(name: ModelName, input_tokens: int, output_tokens: int) -> float | None:
+    """List price in US dollars, None if it is not known; local models are free.
+
+    Prompt caches and discounts by the hour are left out: the real price is at most this.
+    """
+    if name.provider == COMPATIBLE:
+        return None
+    if PROVIDERS[name.provider].local:
+        return 0.0
+    usage = PricedUsage(input_tokens=input_tokens, output_tokens=output_tokens)
+    try:
+        price = calc_price(usage, name.model, provider_id=name.provider)
+    except LookupError:
+        return None
+    return float(price.total_price)

@@ -87,9 +87,7 @@ def _parse(text: str, url: str | None) -> ModelName:
 def require_url(url: str, *, where: str = "--llm-url") -> str:
     """The address of an endpoint, if it is one and holds no secret.
 
-    Args:
-        url: the address.
-        where: the option or variable that it comes from.
+    ``where`` is the option or variable that it comes from.
 
     Raises:
         InputError: it is no address, or carries a key; the message does not show it.

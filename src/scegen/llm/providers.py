@@ -38,11 +38,7 @@ def build_model(
 ) -> Model:
     """The model that ``name`` stands for.
 
-    Args:
-        name: provider and model.
-        url: address to ask instead of the provider's own.
-        key: the key, possibly a placeholder.
-        http_client: carries every request.
+    ``url`` is asked instead of the provider's own address; ``key`` may be a placeholder.
 
     Raises:
         InputError: the provider has no such model.

@@ -57,10 +57,7 @@ class Heard(Generic[T]):
 class Session:
     """The models of a run.
 
-    Args:
-        settings: which models, where, within which bounds.
-        environment: holds the keys.
-        ledger: of the budget; one of its own if None. Sessions that share one share its bounds.
+    ``environment`` holds the keys. Sessions that share a ``ledger`` share the bounds of its budget.
 
     Raises:
         MissingToolError: the extra ``llm`` is not installed.
@@ -87,9 +84,7 @@ class Session:
     def open(self, *, description: str, prompts: str) -> None:
         """Look up keys and begin the transcript, before anything is spent; once a run.
 
-        Args:
-            description: what the run is about.
-            prompts: the version of the prompts that the first stage asks with.
+        ``prompts`` is the version of those that the first stage asks with.
 
         Raises:
             InputError: a key is missing, or a folder of transcripts cannot be used.
@@ -132,12 +127,9 @@ class Session:
     ) -> Heard[T]:
         """Ask the models in order, until one gives a usable answer.
 
-        A model whose service failed before in this run (a wrong key, no connection, a spent
-        budget) is not asked again.
-
-        Args:
-            consult: the conversation with one model; raises LlmError where it has no answer.
-            progress: told each step.
+        A model whose service failed before in this run (a wrong key, no connection, a spent budget)
+        is not asked again. ``consult``, the conversation with one model, raises LlmError where it
+        has no answer.
 
         Raises:
             InputError: a replay lacks an exchange, or has another.

@@ -105,11 +105,8 @@ class Recording:
     def exchange(self, chain: int, agent: str, number: int, words: object) -> Exchange:
         """One exchange.
 
-        Args:
-            chain: place of the model among the models asked, from 1.
-            agent: who asks.
-            number: of the agent's requests, from 1.
-            words: what is asked now, as :func:`words_of` gives it.
+        ``chain`` is the model's place among those asked, ``number`` that of the agent's request,
+        both from 1; ``words`` is what is asked now, as :func:`words_of` gives it.
 
         Raises:
             InputError: it was not recorded, was about something else, or cannot be read.

@@ -34,11 +34,9 @@ class Body(NamedTuple):
 
 
 def body_table(whose: Sequence[bodies.Body], *, friction: float) -> Floats:
-    """These bodies for kernels: (participant, field of :class:`Body`).
+    """These bodies for kernels, one row each: (participant, field of :class:`Body`).
 
-    Args:
-        whose: one per participant or object.
-        friction: coefficient between tyre and road; 1 on dry asphalt.
+    ``friction`` is the coefficient between tyre and road; 1 on dry asphalt.
     """
     grip = friction * GRAVITY_MPS2
     # An object never brakes: what it could do divides nothing but zero.

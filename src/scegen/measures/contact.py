@@ -43,13 +43,7 @@ def first_touches(tracks: Floats, bodies: Floats, pair: Ints, steps: Ints, halvi
     """Where the first contact of a pair lies within the step in which it is seen (c, 9).
 
     The share of the step, then centre and direction (x, y, cos, sin) of either box at the touch.
-
-    Args:
-        tracks: movements.
-        bodies: of all participants.
-        pair: the two, (2,).
-        steps: the first step with contact of each candidate (c,).
-        halvings: how often the step is halved.
+    ``pair`` (2,); ``steps`` (c,) are the first with contact of each candidate, halved so often.
     """
     out = np.empty((steps.shape[0], 9))
     body_a, body_b = body_of(bodies, pair[0]), body_of(bodies, pair[1])

@@ -146,16 +146,10 @@ def write_gaps(
 ) -> bool:
     """Write the gap (m) from the follower's front to the leader's rear for the first steps.
 
-    nan where there is no leader in the corridor ahead. Returns whether there is one at any step;
-    if not, the gaps may be left as they are.
-
-    Args:
-        follower: its track.
-        leader: its track.
-        front_m: distance from the follower's reference point to its front.
-        rear_m: rows of the table.
-        first: the first row for this pair and direction; -1 for none.
-        gaps: output; as many steps as it has room for.
+    nan where there is no leader in the corridor ahead. Returns whether there is one at any step; if
+    not, the gaps may be left as they are. ``front_m`` is the distance from the follower's reference
+    point to its front. ``rear_m`` are the rows of the table, ``first`` is the first one for this
+    pair and direction, -1 for none. ``gaps`` is the output, of as many steps as it has room for.
     """
     some = False
     if first >= 0:

@@ -41,12 +41,10 @@ def build_tables(
 ) -> Tables:
     """The scene of participants with these paths and bodies.
 
-    Args:
-        paths: one per participant, in the order of the program.
-        bodies: one each.
-        pairs: who is measured against whom; None for everybody against everybody.
-        occlusions: (observer, target, occluder): does the occluder hide the target.
-        friction: coefficient between tyre and road; 1 on dry asphalt.
+    ``paths`` are in the order of the program, ``bodies`` one each. ``pairs`` are measured against
+    each other, everybody against everybody if None; of ``occlusions`` (observer, target, occluder)
+    it is asked whether the last hides the second. ``friction`` is the coefficient between tyre and
+    road; 1 on dry asphalt.
     """
     table = body_table(bodies, friction=friction)
     chosen = list(combinations(range(len(paths)), 2)) if pairs is None else list(pairs)

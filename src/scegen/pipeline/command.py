@@ -62,9 +62,7 @@ def options_told(options: Options) -> dict[str, str | int]:
 def command_line(summary: Mapping[str, Any], output: str) -> str | None:
     """``scegen generate`` as it made a folder, ready for a shell in it; None if it does not tell.
 
-    Args:
-        summary: of the folder.
-        output: the folder that the command makes.
+    ``output`` is the folder that the command makes.
     """
     source, options = summary.get("source"), summary.get("options")
     if not isinstance(source, str) or not isinstance(options, dict):

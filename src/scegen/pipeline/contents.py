@@ -14,7 +14,7 @@ from scegen.pipeline.folder import SUMMARY_FILE, digest
 from scegen.pipeline.judging import Judged
 from scegen.pipeline.raising import proof_summary
 from scegen.pipeline.source import LOGICAL_FILE
-from scegen.report.contents import CheckRow, ConcreteEntry, ReportInput, Voice
+from scegen.report.contents import CheckRow, ConcreteEntry, ReportInput
 from scegen.report.gallery import Tiles, draw_tiles, gallery_svg
 from scegen.report.html import report_html
 from scegen.report.player.scene import scene_of
@@ -63,9 +63,8 @@ def folder_files(
         files[LOGICAL_FILE] = to_json(logical).encode()
         tiles = draw_tiles(logical)
         files["gallery.svg"] = gallery_svg(logical).encode()
-    voice = None if understanding is None else _voice(understanding)
     told = tuple(skipped.items())
-    report = ReportInput(functional, logical, _entries(made), told, voice, tiles)
+    report = ReportInput(functional, logical, _entries(made), told, understanding, tiles)
     files["report.html"] = report_html(report).encode()
     files[SUMMARY_FILE] = _summary(
         logical, made, skipped, seed, how, files, _models(understanding, usage)
@@ -90,18 +89,6 @@ def _entries(made: list[Made]) -> tuple[ConcreteEntry, ...]:
             files=tuple(item.files),
         )
         for item in made
-    )
-
-
-def _voice(understanding: Understanding) -> Voice:
-    """Who understood the text, for the report."""
-    return Voice(
-        speaker=understanding.speaker,
-        usage=understanding.usage.in_words(),
-        faults=tuple(f.in_words() for f in understanding.faults),
-        objections=tuple(f"{o.about}: {o.problem}" for o in understanding.objections),
-        notes=understanding.notes,
-        disagreements=understanding.disagreements,
     )
 
 

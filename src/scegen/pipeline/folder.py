@@ -6,6 +6,7 @@ import hashlib
 import json
 import shutil
 import tempfile
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -62,6 +63,21 @@ def _in_the_way(folder: Path) -> list[tuple[str, str]]:
         elif digest(path.read_bytes()) != made[name]:
             changed.append((name, "was changed since it was made"))
     return changed
+
+
+def write_files(folder: Path, files: Mapping[str, bytes]) -> None:
+    """Write files by name into a folder, which is made if need be.
+
+    Raises:
+        InputError: it cannot be written to.
+    """
+    try:
+        for name, content in files.items():
+            file = folder / name
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_bytes(content)
+    except OSError as error:
+        raise InputError(f"cannot be written: {error.strerror}", where=str(folder)) from error
 
 
 def summary_of(folder: Path) -> dict[str, Any]:

@@ -18,7 +18,7 @@ from scegen.pipeline.attempts import make_some
 from scegen.pipeline.command import recipe
 from scegen.pipeline.contents import Made, folder_files
 from scegen.pipeline.export import export_scenario
-from scegen.pipeline.folder import replace_content, require_usable
+from scegen.pipeline.folder import replace_content, require_usable, write_files
 from scegen.pipeline.judging import Judged, judge
 from scegen.pipeline.options import CheckDepth, Options
 from scegen.pipeline.picking import pick
@@ -135,9 +135,9 @@ def generate(
             if concrete.name in proofs:
                 proof = to_json(proofs[concrete.name])
                 files[concrete.name][PROOF_FILE] = proof.encode()
-            _write(staged / "scenarios" / concrete.name, files[concrete.name])
+            write_files(staged / "scenarios" / concrete.name, files[concrete.name])
         if known is not None:
-            _write(staged, {FUNCTIONAL_FILE: to_yaml(known).encode()})
+            write_files(staged, {FUNCTIONAL_FILE: to_yaml(known).encode()})
         progress("checking")
         checks = _checks(staged, [concrete.name for concrete in concretes], options.depth)
         progress("judging")
@@ -154,7 +154,7 @@ def generate(
             for c in concretes
         ]
         progress("drawing the report")
-        _write(
+        write_files(
             staged,
             folder_files(
                 known,
@@ -205,9 +205,3 @@ def _checks(staged: Path, names: list[str], depth: CheckDepth) -> dict[str, Chec
         name: CheckReport(f"scenarios/{name}", report.results)
         for name, report in zip(names, reports, strict=True)
     }
-
-
-def _write(folder: Path, files: dict[str, bytes]) -> None:
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, content in files.items():
-        (folder / name).write_bytes(content)

@@ -1,4 +1,4 @@
-"""Files of a scenario with parameters, and sets of values to play it with."""
+"""A scenario with parameters: which one is meant, its files, and sets of values to play it with."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from scegen.checking.subject import CONCRETE_FILE, ROAD_FILE, SCENARIO_FILE
+from scegen.concretization import concretize
 from scegen.criticality.search.rebuild import DECIMALS
 from scegen.errors import InfeasibleError, InputError
 from scegen.export.openscenario import write_distribution, write_openscenario, write_parameterised
@@ -23,9 +24,13 @@ from scegen.pipeline.parameterising import (
     parameter_space,
     parameterised,
 )
+from scegen.pipeline.picking import pick
+from scegen.pipeline.place import scenario_file
+from scegen.pipeline.source import origin_of
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.files import to_yaml
+from scegen.scenario.files import load, load_any, to_yaml
 from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.logical import LogicalSet
 
 PARAMETERISED_FILE = "parameterised.xosc"
 VALUES_FILE = "values.xosc"
@@ -55,20 +60,6 @@ class ParameterFiles:
     sets: Sequence[ParameterSet]
     frozen: Sequence[str]
     passed_over: Counter[str] = field(default_factory=Counter)
-
-    def save(self, folder: Path) -> None:
-        """Write all files into a folder, which is made if need be.
-
-        Raises:
-            InputError: it cannot be written to.
-        """
-        try:
-            for name, content in self.files.items():
-                file = folder / name
-                file.parent.mkdir(parents=True, exist_ok=True)
-                file.write_bytes(content)
-        except OSError as error:
-            raise InputError(f"cannot be written: {error.strerror}", where=str(folder)) from error
 
 
 def write_parameter_files(
@@ -149,3 +140,36 @@ def _drawn(
         where=space.concrete.name,
         hint="Ask for fewer --sets.",
     )
+
+
+def parameter_source(
+    place: Path, index: int | None, seed: int, scenario: str | None = None
+) -> tuple[FunctionalScenario | None, ConcreteScenario]:
+    """What a logical.json with an index, a scenario folder or a concrete.yaml stands for.
+
+    Of a folder with several, ``scenario`` names one; the first is taken without.
+
+    Raises:
+        InputError: none of these, or no index where one is needed.
+        InfeasibleError: the logical scenario cannot be made concrete.
+    """
+    found = load_any(place) if place.is_file() else None
+    if isinstance(found, LogicalSet):
+        if index is None:
+            raise InputError(
+                f"holds {len(found.scenarios)} scenarios", where=str(place), hint="choose --index"
+            )
+        if scenario is not None:
+            raise InputError("chooses in a folder; of a file, --index does", where="--scenario")
+        logical = pick(found, str(index), option="--index")[0]
+        return found.functional, concretize(found.functional, logical, seed=seed)
+    if found is not None and not isinstance(found, ConcreteScenario):
+        raise InputError(
+            f"is a {found.level} scenario",
+            where=str(place),
+            hint="name a logical.json (scegen enumerate --json), or a scenario folder",
+        )
+    if index is not None:
+        raise InputError("names one scenario: there is nothing to choose", where="--index")
+    file = scenario_file(place, CONCRETE_FILE, scenario)
+    return origin_of(str(file)).functional, load(file, ConcreteScenario)

@@ -44,10 +44,8 @@ class Raising:
 def chosen_target(asked: str | None, functional: FunctionalScenario | None) -> str | None:
     """The target of a run, which follows from the outcome if it is not given; None: no search.
 
-    Args:
-        asked: the option.
-        functional: the description; None where somebody gave numbers, which are not touched unless
-            a target is asked for.
+    Numbers that somebody gave (``functional`` is None) are not touched unless a target is asked
+    for.
 
     Raises:
         InputError: the option names no target.

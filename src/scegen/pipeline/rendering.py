@@ -33,12 +33,9 @@ def rendered(
 ) -> bytes:
     """The file's content.
 
-    Args:
-        concrete: the scenario.
-        ending: ``gif``, ``mp4`` or ``png``, which is the picture of the closest approach.
-        cut: what of it is shown; the seconds around the closest approach if None.
-        theme: the colours.
-        watch: told of every picture's number, to show how far it is.
+    ``ending`` is ``gif``, ``mp4`` or ``png``, which is the picture of the closest approach. ``cut``
+    is what is shown, the seconds around the closest approach if None; ``watch`` is told of every
+    picture's number.
 
     Raises:
         MissingToolError: a video is asked for without imageio-ffmpeg.

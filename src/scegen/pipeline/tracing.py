@@ -28,12 +28,8 @@ def trace_file(
 ) -> bytes:
     """The content of a file with everybody's movements.
 
-    Args:
-        concrete: the scenario.
-        form: CSV, or MCAP for Foxglove and Lichtblick.
-        folder: where its scenario file lies, for esmini to play.
-        player: our own simulation, or esmini.
-        dt_s: step of our own simulation; esmini is played at ``STEP_S``.
+    ``folder`` is where its scenario file lies, for esmini to play; ``dt_s`` is the step of our own
+    simulation, s, while esmini is played at ``STEP_S``.
 
     Raises:
         MissingToolError: esmini or the extra ``exchange`` is asked for and not there.

@@ -8,10 +8,9 @@ from numpy.typing import NDArray
 
 from scegen.motion.footprints import box_corners
 from scegen.motion.model import Array, Trace
-from scegen.report.corners import corners_at
 from scegen.report.drawing import Style, area, box, circle, element
 from scegen.report.theme import Theme
-from scegen.report.world import placed
+from scegen.report.world import corners_at, placed
 from scegen.scenario.bodies import Body
 from scegen.scenario.vocabulary import ANIMALS, ON_FOOT, ParticipantKind
 

@@ -28,9 +28,7 @@ _SAME_BYTES = ("-threads", "1", "-fflags", "+bitexact", "-flags:v", "+bitexact",
 def gif_of(film: Film, watch: Watch = iter) -> bytes:
     """A film as an animated GIF that plays for ever; the same film gives the same bytes.
 
-    Args:
-        film: what to draw.
-        watch: told of every picture's number, to show how far it is.
+    ``watch`` is told of every picture's number, to show how far it is.
     """
     pictures = [_image(film, number) for number in watch(range(len(film)))]
     stage = film.stage

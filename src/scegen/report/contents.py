@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from scegen.criticality.careful_driver import Verdict
 from scegen.criticality.reactivity.sensitivity import Sensitivity
@@ -12,7 +12,9 @@ from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalSet
 from scegen.scenario.proof import Proof
-from scegen.understanding.report.parse_report import Disagreement
+
+if TYPE_CHECKING:  # what speaks to language models takes a tenth of a short run to load
+    from scegen.understanding.agents import Understanding
 
 VERDICTS = {"passed": "held", "failed": "failed"}
 """What the status of a check comes to, as statements do; any other one leaves it open."""
@@ -53,18 +55,6 @@ class ConcreteEntry:
 
 
 @dataclass(frozen=True, slots=True)
-class Voice:
-    """Who understood the description where language models were asked, and how it went."""
-
-    speaker: str
-    usage: str
-    faults: tuple[str, ...] = ()
-    objections: tuple[str, ...] = ()
-    notes: tuple[str, ...] = ()
-    disagreements: tuple[Disagreement, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
 class ReportInput:
     """Everything that the report shows; levels that the run did not pass through are None.
 
@@ -76,5 +66,5 @@ class ReportInput:
     logical_set: LogicalSet | None
     concretes: tuple[ConcreteEntry, ...] = ()
     skipped: tuple[tuple[str, str], ...] = ()
-    voice: Voice | None = None
+    voice: Understanding | None = None
     tiles: Tiles | None = None

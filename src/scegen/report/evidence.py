@@ -64,13 +64,7 @@ def spans(
     disagreements: Iterable[Disagreement] = (),
     claims: Iterable[ClaimProof] = (),
 ) -> list[Span]:
-    """The description as spans; overlapping evidence is cut at every boundary.
-
-    Args:
-        functional: the scenario with its evidence.
-        disagreements: what was read in two ways.
-        claims: how the statements came out.
-    """
+    """The description as spans; overlapping evidence is cut at every boundary."""
     report = report_on(functional, disagreements)
     claims = tuple(claims)
     end_s = max((claim.time_s or 0.0 for claim in claims), default=0.0)
@@ -117,11 +111,7 @@ def field_rows(functional: FunctionalScenario) -> list[FieldRow]:
 
 
 def left_out(functional: FunctionalScenario) -> list[Finding]:
-    """Words that fill no field, with what was done instead.
-
-    Args:
-        functional: the scenario.
-    """
+    """Words that fill no field, with what was done instead."""
     return [finding for finding in report_on(functional).findings if finding.field is None]
 
 
@@ -136,11 +126,7 @@ def _claim(finding: Finding) -> str:
 
 
 def field_words(field: str) -> str:
-    """The path of a field in words.
-
-    Args:
-        field: such as ``participants.car_1.speed_mps``.
-    """
+    """The path of a field, such as ``participants.car_1.speed_mps``, in words."""
     group, *rest = field.split(".")
     if group == "participants" and rest:
         return " › ".join([rest[0], *map(_quantity_words, rest[1:])])

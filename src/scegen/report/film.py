@@ -13,12 +13,11 @@ from scegen.motion.model import Array, Path, Trace
 from scegen.motion.simulation import simulate
 from scegen.report.bodies import braking
 from scegen.report.camera import camera_views
-from scegen.report.corners import corners_at
 from scegen.report.drawing import box, circle, document, letters, line
 from scegen.report.moving_labels import MovingLabels
 from scegen.report.stage import Stage, around, ego_first, gap_between, make_stage, name_and_speed
 from scegen.report.theme import Theme
-from scegen.report.world import View
+from scegen.report.world import View, corners_at
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario
 

@@ -66,10 +66,8 @@ def gallery_svg(
 ) -> str:
     """A page of the gallery as an SVG document; the same input gives the same text.
 
-    Args:
-        logical_set: whose scenarios are drawn.
-        page: which page, from 1.
-        moves: the pattern of a group to be shown unfolded; None for all groups.
+    Pages count from 1; ``moves`` is the pattern of a group to be shown unfolded, None for all
+    groups.
 
     Raises:
         InputError: there is no such page or group.

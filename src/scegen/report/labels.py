@@ -48,11 +48,8 @@ def place(
 ) -> list[Placed]:
     """A place for each label that has one, first come first served; the others are left out.
 
-    Args:
-        labels: what to place, the most telling first.
-        inside: where they may lie.
-        taken: rectangles that must stay free.
-        ways: points (n, 2) so many pixels apart that should rather stay free.
+    The most telling come first. They lie ``inside``, never on what is ``taken``, and rather not on
+    ``ways``: points (n, 2) so many pixels apart.
     """
     walls = list(taken)
     bodies = [label.at for label in labels]

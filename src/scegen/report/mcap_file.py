@@ -40,10 +40,7 @@ _SERIES = ("time_s", "x_m", "y_m", "heading_rad", "speed_mps")
 def mcap_of(concrete: ConcreteScenario, network: RoadNetwork, traces: Mapping[str, Trace]) -> bytes:
     """The file's content; the same input gives the same bytes.
 
-    Args:
-        concrete: who takes part, and what stands around.
-        network: its road.
-        traces: by participant, at the same times, however they came about.
+    ``traces`` are by participant, at the same times, however they came about.
 
     Raises:
         MissingToolError: the extra ``exchange`` is not installed.

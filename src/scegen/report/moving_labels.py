@@ -36,11 +36,8 @@ class MovingLabels:
     ) -> MovingLabels:
         """A side for each label, so that the fewest pictures have labels in each other's way.
 
-        Args:
-            words: the longest that each label will say, the most telling first.
-            boxes: what they name, (pictures, 4) as in :class:`MovingLabels`.
-            size: of the picture.
-            ego: whose label is bold.
+        ``words`` are the longest that each label will say, the most telling first; ``boxes``
+        (pictures, 4) what they name, as in :class:`MovingLabels`. The ego's label is bold.
         """
         where: dict[str, Array] = {}
         shown: dict[str, NDArray[np.bool_]] = {}

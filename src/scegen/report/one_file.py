@@ -14,12 +14,7 @@ from markupsafe import Markup
 def page(package: str, template: str, style: str, script: str, content: dict[str, object]) -> str:
     """The page as an HTML document; what comes from outside is escaped by the template.
 
-    Args:
-        package: whose templates these are.
-        template: the name of one.
-        style: the style sheet.
-        script: the script, of which the page tells the digest: no other one runs.
-        content: what the template shows.
+    Of ``script`` the page tells the digest: no other one runs.
     """
     environment = Environment(
         loader=PackageLoader(package),

@@ -21,6 +21,7 @@ Point = tuple[float, float]
 REACH = 104.0
 """Where arms end."""
 _START = 92.0
+_BACKS_AT = 0.3 * REACH
 _RANK_STEP = 17.0
 RING = 34.0
 """Radius of the ring's middle."""
@@ -108,12 +109,11 @@ def make_plan(junction: Junction) -> Plan:
 def drive_line(plan: Plan, drive: Drive, spread: float, behind: int) -> list[Point]:
     """The way of a vehicle as points.
 
-    Args:
-        plan: the sketch it is drawn on.
-        drive: its assignment.
-        spread: shifts it to its right, apart from others on the same arms.
-        behind: how many follow it on its arm.
+    ``spread`` shifts it to its right, apart from others on the same arms; so many follow ``behind``
+    it on its arm.
     """
+    if drive.reverses is Reverses.SQUARE:
+        return _square_line(plan, drive)
     if plan.kind is JunctionKind.STRAIGHT:
         return _straight_line(plan, drive, _START - 30.0 * behind, spread)
     start_at = max(_START - _RANK_STEP * behind, plan.inner + 8.0)
@@ -137,6 +137,17 @@ def drive_line(plan: Plan, drive: Drive, spread: float, behind: int) -> list[Poi
             leave,
         )
     return [start, *middle, end]
+
+
+def _square_line(plan: Plan, drive: Drive) -> list[Point]:
+    """Out of its arm and across, or from beside a road without a junction across the lanes."""
+    if plan.kind is JunctionKind.STRAIGHT:
+        edge = plan.half(drive.entry)
+        beside, beyond = plan.side * (edge + plan.lane), -plan.side * edge
+        return [plan.at(drive.entry, _BACKS_AT, aside) for aside in (beside, beyond)]
+    out = -plan.side * plan.aside(drive.entry, 1)
+    away = (plan.inner + _BACKS_AT, -plan.half(drive.entry))
+    return [plan.at(drive.entry, distance, out) for distance in away]
 
 
 def _lanes_of(plan: Plan, drive: Drive) -> tuple[int, int]:

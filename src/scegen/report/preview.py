@@ -13,13 +13,12 @@ import numpy as np
 from scegen.criticality.encounter import Encounter, closest_encounter
 from scegen.motion.model import Array, Path, Trace
 from scegen.motion.simulation import simulate
-from scegen.report.corners import thing_corners
 from scegen.report.drawing import box, document, letters
 from scegen.report.raster import wrapped
 from scegen.report.stage import Stage, make_stage, moment, overview
 from scegen.report.theme import LIGHT
 from scegen.report.words import hazard_words, name_words, participant_words, thing_words
-from scegen.report.world import View
+from scegen.report.world import View, thing_corners
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.vocabulary import HazardKind, JunctionKind
@@ -46,14 +45,7 @@ def preview_svg(
     paths: Mapping[str, Path],
     traces: Mapping[str, Trace] | None = None,
 ) -> str:
-    """The scenario as an SVG document; the same input gives the same text.
-
-    Args:
-        concrete: the scenario.
-        network: its roads.
-        paths: the paths of its participants.
-        traces: their movement, simulated here if not given.
-    """
+    """The scenario as an SVG document, simulated here if need be; equal input gives equal text."""
     stage = make_stage(concrete, network, paths, traces or simulate(concrete, paths), LIGHT)
     encounter = closest_encounter(concrete, stage.traces)
     low, high = extent(stage, encounter)

@@ -12,14 +12,13 @@ from numpy.typing import NDArray
 from scegen.criticality.encounter import Encounter
 from scegen.motion.model import Array, Path, Trace
 from scegen.report.bodies import body, braking, ghost, standing_at, swept
-from scegen.report.corners import corners_at, thing_corners
 from scegen.report.drawing import area, areas, box, letters, line, lines
 from scegen.report.labels import WAY_STEP_PX, Label, Rectangle, draw_labels, place
 from scegen.report.plan import arrow_head
 from scegen.report.raster import text_width
 from scegen.report.theme import Theme
 from scegen.report.words import KMH
-from scegen.report.world import Surroundings, View
+from scegen.report.world import Surroundings, View, corners_at, thing_corners
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
 

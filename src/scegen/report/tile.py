@@ -20,7 +20,6 @@ from scegen.report.plan import (
     walking_line,
 )
 from scegen.report.raster import text_width
-from scegen.report.square_line import square_line
 from scegen.report.strokes import (
     MIDDLE,
     arrow,
@@ -33,7 +32,7 @@ from scegen.report.strokes import (
 from scegen.report.theme import LIGHT, Theme
 from scegen.report.words import REVERSES, plain
 from scegen.scenario.functional import FunctionalScenario
-from scegen.scenario.logical import Assignment, Crossing, Drive, LogicalScenario, Reverses, Walking
+from scegen.scenario.logical import Assignment, Crossing, Drive, LogicalScenario, Walking
 from scegen.scenario.roadway import AuxiliaryLane, Carriageway
 from scegen.scenario.vocabulary import JunctionKind
 
@@ -128,8 +127,6 @@ def tile_body(
         if isinstance(assignment, Drive):
             behind = sum(d.entry == assignment.entry and d.rank > assignment.rank for d in drives)
             way_ = drive_line(plan, assignment, spreads[name], behind)
-            if assignment.reverses is Reverses.SQUARE:
-                way_ = square_line(plan, assignment)
             lines[name] = way_
             drawing = arrow(way_, colour[name], theme, ego=is_ego)
             if assignment.reverses is not None:

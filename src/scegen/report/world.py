@@ -13,8 +13,8 @@ from math import atan2, cos, degrees, pi, sin
 import numpy as np
 import shapely
 
-from scegen.motion.model import Array, Path
-from scegen.report.corners import thing_corners
+from scegen.motion.footprints import box_corners
+from scegen.motion.model import Array, Path, Trace
 from scegen.report.drawing import area, areas, box, circle, element, group, line, lines, number
 from scegen.report.lane_shapes import RoadShapes, bays, road_shapes
 from scegen.report.lights import Light, entry_of, lights_of, state_at
@@ -114,14 +114,7 @@ class View:
 
 
 class Surroundings:
-    """All that never moves, drawn once and shown in every view and frame.
-
-    Args:
-        concrete: the scenario; it says where signs and objects stand, and what lights show.
-        network: its roads.
-        theme: the colours.
-        paths: the ways of its participants.
-    """
+    """All that never moves, drawn once and shown in every view and frame."""
 
     def __init__(
         self,
@@ -263,3 +256,13 @@ def _regular(corners: int, radius: float, first: float) -> list[tuple[float, flo
     """A regular polygon around the origin."""
     turns = [first + 2 * pi * n / corners for n in range(corners)]
     return [(radius * cos(turn), radius * sin(turn)) for turn in turns]
+
+
+def corners_at(trace: Trace, step: int) -> Array:
+    """The corners (4, 2) of a participant's box at one step, its front first."""
+    return box_corners(trace.body, trace.x_m[step], trace.y_m[step], trace.heading_rad[step])
+
+
+def thing_corners(thing: StaticObject) -> Array:
+    """Corners of a thing's box, (4, 2)."""
+    return box_corners(thing.body, thing.x_m, thing.y_m, float(np.deg2rad(thing.heading_deg)))

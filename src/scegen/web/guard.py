@@ -46,11 +46,9 @@ class Refusal:
 class Guard:
     """Lets through to ``app`` what may come through.
 
-    Args:
-        app: what is guarded.
-        token: what a visitor must show once; None where only this machine can connect.
-        cookie: under which the browser keeps that it was shown; cookies of a host are shared by
-            all its ports, so each server has its own.
+    A visitor must show the ``token`` once; it is None where only this machine can connect. Under
+    ``cookie`` the browser keeps that it was shown; cookies of a host are shared by all its ports,
+    so each server has its own.
     """
 
     def __init__(self, app: ASGIApp, token: str | None = None, cookie: str = "scegen_key") -> None:

@@ -27,7 +27,6 @@ try:
 except ModuleNotFoundError:  # not on every system
     resource = None  # type: ignore[assignment]
 
-_PRELOADED = ("scegen.web.tasks", "scegen.web.filming")
 _LONGEST_STEPS = 200
 MOST_MEMORY = 4 << 30
 """Bytes that one job may take, where the system can hold it to that."""
@@ -41,21 +40,6 @@ class JobState(StrEnum):
     DONE = "done"
     FAILED = "failed"
     CANCELLED = "cancelled"
-
-
-@dataclass(frozen=True, slots=True)
-class Trouble:
-    """Why a job failed, for the person: what is wrong, where, and what to do."""
-
-    message: str
-    where: str | None = None
-    hint: str | None = None
-
-    @property
-    def in_words(self) -> str:
-        """All of it in a line."""
-        where = f"{self.where}: " if self.where else ""
-        return f"{where}{self.message}{f' {self.hint}' if self.hint else ''}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,7 +82,7 @@ class Job:
     steps: list[Step] = field(default_factory=list)
     parts: list[Any] = field(default_factory=list)
     result: Any = None
-    trouble: Trouble | None = None
+    trouble: ScegenError | None = None
     began: float = field(default_factory=monotonic)
     took_s: float | None = None
     process: BaseProcess | None = None
@@ -126,7 +110,7 @@ class Jobs:
 
     def __init__(self, *more: str, at_once: int | None = None) -> None:
         self._turn = threading.BoundedSemaphore(at_once or max(2, os.cpu_count() or 2))
-        self._context = _context(*_PRELOADED, *more)
+        self._context = _context("scegen.web.tasks", *more)
         self._running: set[Job] = set()
 
     def start(self, what: str, told: Callable[[Job], None], task: Task, *arguments: object) -> Job:
@@ -176,7 +160,7 @@ class Jobs:
                 kind, value = connection.recv()
             except (EOFError, OSError):
                 if job.under_way:
-                    job.trouble = Trouble(
+                    job.trouble = ScegenError(
                         "The work ended without a result.", hint="See the server's terminal."
                     )
                     job.end(JobState.FAILED)
@@ -214,10 +198,10 @@ def _work(connection: Connection, task: Task, arguments: tuple[object, ...]) -> 
         connection.send(("done", task(*arguments, Teller(connection))))
     except MemoryError:
         message = f"This takes more than {MOST_MEMORY >> 30} GB of memory."
-        connection.send(("failed", Trouble(message, hint="Ask for less.")))
+        connection.send(("failed", ScegenError(message, hint="Ask for less.")))
     except ScegenError as error:
-        connection.send(("failed", Trouble(error.message, error.where, error.hint)))
+        connection.send(("failed", error))
     except Exception:  # noqa: BLE001 - the page must hear of whatever it is
         traceback.print_exc(file=sys.stderr)
         message = "Something went wrong that should not have."
-        connection.send(("failed", Trouble(message, hint="See the server's terminal.")))
+        connection.send(("failed", ScegenError(message, hint="See the server's terminal.")))

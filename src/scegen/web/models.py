@@ -11,11 +11,7 @@ from scegen.llm.keys import key_for
 
 
 class Models:
-    """Models that descriptions can be given to.
-
-    Args:
-        settings: which, where, and the budget of the whole server.
-    """
+    """Models that descriptions can be given to, with the budget of the whole server."""
 
     def __init__(self, settings: LlmSettings) -> None:
         self.settings = settings

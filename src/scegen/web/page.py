@@ -47,11 +47,7 @@ _STEPS = (
 
 
 class Page:
-    """The frame, the step that is shown, and what is drawn again when the work has changed.
-
-    Args:
-        work: of this browser; other windows may show the same.
-    """
+    """The frame, the step that is shown, and what is drawn again when the work has changed."""
 
     def __init__(self, work: Work) -> None:
         self._work = work

@@ -33,11 +33,7 @@ class Entry:
 
 
 class Project:
-    """The folder that a server works in; it is made when something is first kept.
-
-    Args:
-        root: where it lies.
-    """
+    """The folder that a server works in; it is made when something is first kept."""
 
     def __init__(self, root: Path) -> None:
         self.root = root.resolve()
@@ -94,9 +90,7 @@ def keep(folder: Path, name: str, content: bytes) -> None:
 def changed_outside(folder: Path, kept: str | None) -> bool:
     """Whether somebody else wrote to a folder since.
 
-    Args:
-        folder: of a piece of work.
-        kept: the digest of the functional scenario as it was last written or read here.
+    ``kept`` is the digest of the functional scenario as it was last written or read here.
     """
     functional = folder / FUNCTIONAL_FILE
     if kept is not None and functional.is_file() and digest(functional.read_bytes()) != kept:

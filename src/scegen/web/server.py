@@ -60,12 +60,8 @@ def serve(
 ) -> None:
     """Serve the page until it is interrupted.
 
-    Args:
-        place: where to listen.
-        project: the folder of the work.
-        models: language models that descriptions can be given to; None for none.
-        ready: called once the page can be opened.
-        show: open it in a browser too.
+    ``models`` are those that descriptions can be given to, None for none; ``ready`` is called once
+    the page can be opened, and with ``show`` it is opened in a browser too.
     """
     jobs = Jobs(*(["scegen.llm.line"] if models is not None else []))
     application = build(Project(project), jobs, models, cookie=f"scegen_{place.port}")

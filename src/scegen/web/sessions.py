@@ -12,11 +12,7 @@ MOST_SESSIONS = 100
 
 
 class Sessions:
-    """The work of all browsers.
-
-    Args:
-        begin: makes work for a new one.
-    """
+    """The work of all browsers, begun for a new one."""
 
     def __init__(self, begin: Callable[[], Work]) -> None:
         self._begin = begin

@@ -5,10 +5,12 @@ They call what the command line calls, with the same arguments.
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from scegen.concretization import concretize
 from scegen.enumeration import LIST_LIMIT, open_listing
 from scegen.enumeration.choosing.covering import smallest_cover
 from scegen.enumeration.choosing.sampling import diverse_sample
@@ -21,6 +23,7 @@ from scegen.pipeline.place import scenario_file
 from scegen.pipeline.playing import has_screen, play
 from scegen.pipeline.rendering import rendered
 from scegen.pipeline.source import Source
+from scegen.report.player.scene import scene_of
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario, LogicalSet
@@ -30,7 +33,7 @@ from scegen.scenario.wording import counted, covering
 from scegen.understanding import ParseReport, read, report_on, report_on_contradiction
 from scegen.understanding.agents import understand_in
 from scegen.web.jobs import Teller
-from scegen.web.made import Made, read_made
+from scegen.web.made import Made, MadeScenario, read_made
 from scegen.web.uploads import read_upload
 
 _PART = 40
@@ -165,3 +168,33 @@ def take_in(name: str, content: bytes, tell: Teller) -> Source | str:
 def warm(_: Teller) -> None:
     """Who asks for it first has everything loaded, and after an installation compiled."""
     warm_kernels()
+
+
+def film(made: MadeScenario, whole: Made, tell: Teller) -> bytes:
+    """The scene as found and, where a search has changed it, as it was first laid: JSON.
+
+    The object holds ``scene``, ``before`` (or null) and ``environment``.
+    """
+    tell.progress("drawing the movement")
+    before = None
+    if made.proof is not None and made.proof.changed:
+        first = whole.given or _first_timing(whole.functional, made.concrete)
+        before = None if first is None else scene_of(first, made.proof, first=True)
+    data = {
+        "scene": scene_of(made.concrete, made.proof),
+        "before": before,
+        "environment": made.concrete.environment.model_dump(mode="json"),
+    }
+    return json.dumps(data, ensure_ascii=False, separators=(",", ":")).encode()
+
+
+def _first_timing(
+    functional: FunctionalScenario | None, found: ConcreteScenario
+) -> ConcreteScenario | None:
+    """What the search began from, by the same call; None if it cannot be laid any more."""
+    if functional is None:
+        return None
+    try:
+        return concretize(functional, found.logical, seed=found.seed)
+    except InfeasibleError:
+        return None

@@ -6,7 +6,8 @@ import asyncio
 from collections import Counter
 from collections.abc import Callable
 
-from scegen.web.jobs import Job, Jobs, JobState, Task, Trouble
+from scegen.errors import ScegenError
+from scegen.web.jobs import Job, Jobs, JobState, Task
 
 
 class Undertakings:
@@ -42,7 +43,7 @@ class Undertakings:
         job = self.under_way.get(kind)
         return job is not None and job.under_way
 
-    def trouble(self, kind: str) -> Trouble | None:
+    def trouble(self, kind: str) -> ScegenError | None:
         """Why the last work of a kind failed, if it did."""
         job = self.under_way.get(kind)
         return job.trouble if job is not None and job.state is JobState.FAILED else None

@@ -22,7 +22,6 @@ from scegen.scenario.logical import LogicalSet
 from scegen.understanding import ParseReport, report_on
 from scegen.web import tasks
 from scegen.web.choice import Choice, Listing
-from scegen.web.filming import film
 from scegen.web.jobs import Job, Jobs
 from scegen.web.made import Made, MadeScenario
 from scegen.web.models import Models
@@ -219,7 +218,7 @@ class Work(Choice):
         self.watched = name
         self._changed("watched")
         if self.made is not None and name not in self.films:
-            self._begin("filming", self._filmed, film, made, self.made)
+            self._begin("filming", self._filmed, tasks.film, made, self.made)
 
     def play(self, name: str) -> None:
         """Play one of the scenarios that were made in esmini, on the server's screen."""

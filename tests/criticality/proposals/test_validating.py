@@ -61,32 +61,34 @@ def anything(draw, names=("a", "b", "c", "d")):
 @settings(max_examples=300)
 @given(st.lists(anything(), max_size=8), st.integers(0, 5))
 def test_the_outcome_is_valid_whatever_is_proposed(proposals, seed):
-    verdicts = validator().validate(proposals, "x", rng(seed))
-    assert len(verdicts) == len(proposals)
-    final = verdicts[-1].x if verdicts else ORIGIN
+    changes, rows = validator().validate(proposals, "x", rng(seed))
+    assert len(changes) == len(rows) == len(proposals)
+    final = rows[-1] if changes else ORIGIN
     assert not crowded(final)
     for p in PARAMETERS:
         assert p.low <= final[p.column] <= p.high
-    for verdict in verdicts:
-        assert (verdict.by == VALIDATOR) == (verdict.rejected is not None)
-        assert verdict.parameter.isprintable()
-        assert verdict.reason.isprintable()
-    again = validator().validate(proposals, "x", rng(seed))
-    assert [(v.after, v.reason) for v in again] == [(v.after, v.reason) for v in verdicts]
+    for change in changes:
+        assert (change.by == VALIDATOR) == (change.rejected is not None)
+        assert change.parameter.isprintable()
+        assert change.reason.isprintable()
+    again, same = validator().validate(proposals, "x", rng(seed))
+    assert again == changes
+    assert (same == rows).all()
 
 
 @settings(max_examples=100)
 @given(st.lists(anything(), max_size=8))
 def test_what_is_valid_stands_as_it_was_proposed(proposals):
     judged = validator().judge(proposals)
-    for p, why, verdict in zip(
-        proposals, judged, validator().validate(proposals, "x", rng()), strict=True
-    ):
+    changes, rows = validator().validate(proposals, "x", rng())
+    columns = {p.name: p.column for p in PARAMETERS}
+    for p, why, change, row in zip(proposals, judged, changes, rows, strict=True):
         if why is None:
-            assert verdict.after == float(p.value)
-            assert verdict.by == "x"
+            assert row[columns[p.parameter]] == float(p.value)
+            assert change.after == round(float(p.value), 3)
+            assert change.by == "x"
         else:
-            assert verdict.rejected.why == why
+            assert change.rejected.why == why
 
 
 @pytest.mark.parametrize(
@@ -106,16 +108,16 @@ def test_what_is_valid_stands_as_it_was_proposed(proposals):
     ],
 )
 def test_what_is_rejected_and_why(name, value, words):
-    (verdict,) = validator().validate([proposal(name, value)], "x", rng())
-    assert words in verdict.rejected.why
-    assert verdict.rejected.by == "x"
-    assert verdict.by == VALIDATOR
+    (change,), _ = validator().validate([proposal(name, value)], "x", rng())
+    assert words in change.rejected.why
+    assert change.rejected.by == "x"
+    assert change.by == VALIDATOR
     if name == "d":
-        assert verdict.after is None
+        assert change.after is None
     else:
-        assert verdict.after != value
-        assert "random" in verdict.reason
-        assert "because" in verdict.reason
+        assert change.after != value
+        assert "random" in change.reason
+        assert "because" in change.reason
 
 
 def test_values_at_their_bounds_are_inside():
@@ -124,7 +126,8 @@ def test_values_at_their_bounds_are_inside():
 
 
 def test_of_two_values_the_first_stands():
-    first, second = validator().validate([proposal("a", 1.0), proposal("a", 2.0)], "x", rng())
+    twice = [proposal("a", 1.0), proposal("a", 2.0)]
+    (first, second), _ = validator().validate(twice, "x", rng())
     assert first.after == 1.0
     assert second.after is None
     assert "was set to 1 before" in second.rejected.why
@@ -146,14 +149,14 @@ def test_the_one_that_spoils_it_is_named_and_the_others_stand():
 
 def test_where_nothing_valid_is_found_the_value_stays():
     stuck = validator(lambda x: frozenset({"no"} if x[0] != 5.0 else set()))
-    (verdict,) = stuck.validate([proposal("a", 99.0)], "x", rng())
-    assert verdict.after is None
-    assert verdict.x[0] == 5.0
-    assert "left as it was" in verdict.reason
+    (change,), (row,) = stuck.validate([proposal("a", 99.0)], "x", rng())
+    assert change.after is None
+    assert row[0] == 5.0
+    assert "left as it was" in change.reason
 
 
 def test_other_seeds_draw_other_values():
-    drawn = {validator().validate([proposal("a", -1)], "x", rng(s))[0].after for s in range(5)}
+    drawn = {validator().validate([proposal("a", -1)], "x", rng(s))[1][0, 0] for s in range(5)}
     assert len(drawn) == 5
 
 

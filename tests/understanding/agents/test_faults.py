@@ -33,7 +33,7 @@ def waits(monkeypatch):
         told.append(delay)
         await sleep(0, *arguments)
 
-    monkeypatch.setattr("scegen.llm.retrying.asyncio.sleep", note)
+    monkeypatch.setattr("scegen.llm.line.asyncio.sleep", note)
     return told
 
 

@@ -13,13 +13,14 @@ mean of both; a contact is 1. Each measure is scaled by the usual threshold (see
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from scegen.campaign.rows import Row
-from scegen.motion.batch.arrays import Floats, Ints
+from scegen.enumeration.choosing.sampling import Codes, codes_of
+from scegen.motion.batch.arrays import Floats
 
 WORDS = ("junction", "arms", "control", "kinds", "movements", "seen", "conflict", "right_of_way",
          "hazards", "avoidable")  # fmt: skip
@@ -34,13 +35,14 @@ NEARLY_THE_SAME = 0.005
 class Features:
     """Rows as numbers: ``words`` (n, w) codes, ``numbers`` (n, m) in shares of their ranges."""
 
-    words: Ints
+    words: Codes
     numbers: Floats
 
     @classmethod
     def of(cls, rows: Sequence[Row]) -> Features:
         """The features of some rows."""
-        words = np.column_stack([_codes([row[name] for row in rows]) for name in WORDS])
+        told = ([row[name] for name in WORDS] for row in rows)
+        words = codes_of([tuple(v) if isinstance(v, list) else v for v in row] for row in told)
         columns = []
         for name in NUMBERS:
             values = numbers_of(rows, name)
@@ -105,12 +107,3 @@ def criticality(rows: Sequence[Row]) -> Floats:
 def numbers_of(rows: Sequence[Row], column: str) -> Floats:
     """A column as numbers; nan where there is none."""
     return np.array([row[column] for row in rows], dtype=np.float64)
-
-
-def _codes(values: Sequence[object]) -> Ints:
-    """Equal values become equal numbers."""
-    numbers: dict[Hashable, int] = {}
-    return np.array(
-        [numbers.setdefault(tuple(v) if isinstance(v, list) else v, len(numbers)) for v in values],
-        dtype=np.int64,
-    )

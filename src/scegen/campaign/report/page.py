@@ -82,15 +82,7 @@ def campaign_page(
     links: Mapping[int, str],
     manifest: Mapping[str, Any],
 ) -> str:
-    """The page as an HTML document.
-
-    Args:
-        rows: all of them.
-        covered: their coverage.
-        found: what stands out.
-        links: pages of the player by number of row.
-        manifest: of the campaign.
-    """
+    """The page as an HTML document; ``links`` are pages of the player by number of row."""
     danger = criticality(rows)
     content: dict[str, object] = {
         "facts": _facts(rows, covered, found),

@@ -24,12 +24,8 @@ SCENARIOS = "scenarios"
 def write_report(store: Store, folder: Path, pages: int, progress: Callable[[str], None]) -> Path:
     """Write the report of a campaign; gives back its page.
 
-    Args:
-        store: the campaign.
-        folder: where the report goes.
-        pages: how many of the most critical, of the most different ones, and of examples of what
-            is not met get the player.
-        progress: told what is under way.
+    So many ``pages`` of the most critical, of the most different ones, and of examples of what is
+    not met get the player.
 
     Raises:
         InputError: there are no rows, a file is broken, or the folder cannot be written.

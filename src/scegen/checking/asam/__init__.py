@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 from lxml import etree
 
-from scegen.checking.asam.xqar import count_completed, merged, read_xqar
+from scegen.checking.asam.xqar import merged, read_xqar
 from scegen.checking.documents import parse_document
 from scegen.checking.environment import ASAM_HINT, asam_python
 from scegen.checking.results import CheckResult, error, not_run, verdict
@@ -127,6 +127,7 @@ def _result(checker: str, place: Path, job: Job, problem: str) -> CheckResult:
         message = f"{len(outcomes)} rules instead of {RULES[checker]}"
         findings.append(error("asam.run", checker, message))
     note = f", {job.scenario_note}" if checker == OPENSCENARIO and job.scenario_note else ""
-    detail = f"{count_completed(outcomes)} of {len(outcomes)} rules completed{note}"
+    completed = sum(outcome.completed for outcome in outcomes)
+    detail = f"{completed} of {len(outcomes)} rules completed{note}"
     # A rule for other versions says nothing of this file: not its fault, but no pass.
     return verdict(checker, findings, detail)

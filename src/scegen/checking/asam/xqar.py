@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -61,11 +60,6 @@ def merged(first: dict[str, RuleOutcome], second: dict[str, RuleOutcome]) -> lis
         second[name] if outcome.other_version and name in second else outcome
         for name, outcome in first.items()
     ]
-
-
-def count_completed(outcomes: Iterable[RuleOutcome]) -> int:
-    """How many rules looked at the file."""
-    return sum(outcome.completed for outcome in outcomes)
 
 
 def _outcome(rule: etree._Element) -> RuleOutcome:

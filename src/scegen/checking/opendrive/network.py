@@ -8,7 +8,7 @@ from __future__ import annotations
 from cmath import exp
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Protocol, TypeVar
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,22 +38,6 @@ class Poly3:
         """The derivative at ``s``."""
         u = s - self.s
         return self.b + u * (2 * self.c + u * 3 * self.d)
-
-
-class Piece(Protocol):
-    """A part of a road that begins at ``s``."""
-
-    @property
-    def s(self) -> float:
-        """Where it begins, along the road."""
-
-
-P = TypeVar("P", bound=Piece)
-
-
-def piece_at(pieces: Sequence[P], s: float) -> P | None:
-    """The last piece that has begun at ``s``; None before the first."""
-    return next((piece for piece in reversed(pieces) if piece.s <= s + 1e-9), None)
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,6 +90,14 @@ class LaneSection:
     s: float
     end: float
     lanes: dict[int, Lane]
+
+
+P = TypeVar("P", Poly3, Geometry, LaneSection)
+
+
+def piece_at(pieces: Sequence[P], s: float) -> P | None:
+    """The last piece that has begun at ``s``; None before the first."""
+    return next((piece for piece in reversed(pieces) if piece.s <= s + 1e-9), None)
 
 
 @dataclass(frozen=True, slots=True)

@@ -59,12 +59,8 @@ def check_openscenario(
 ) -> CheckResult:
     """Check an OpenSCENARIO file on its road.
 
-    Args:
-        name: the file's name, for findings.
-        content: the file.
-        road_file: name of the OpenDRIVE file beside it; None if there is none.
-        network: that road, as read; None if it could not be read.
-        concrete: what the file should say, if known.
+    ``road_file`` is the name of the OpenDRIVE file beside it, ``network`` that road as read,
+    ``concrete`` what the file should say; None where that is not there, or cannot be read.
     """
     try:
         storyboard, unread = _read(name, content)

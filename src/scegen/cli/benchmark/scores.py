@@ -16,12 +16,7 @@ if TYPE_CHECKING:
 
 
 def print_scores(outcome: Result, measured: Measured | None = None) -> None:
-    """Prints failures, fields, kinds and hazards, and what language models took.
-
-    Args:
-        outcome: the scores of a file.
-        measured: of language models, None where none was asked.
-    """
+    """Prints failures, fields, kinds and hazards, and what language models took."""
     runs = outcome.stability.runs
     for failure in outcome.failures:
         again = f" (run {', '.join(map(str, failure.runs))} of {runs})" if runs > 1 else ""
@@ -47,12 +42,7 @@ def print_scores(outcome: Result, measured: Measured | None = None) -> None:
 
 
 def print_language_models(measured: Measured, outcome: Result) -> None:
-    """Prints who spoke, how well, and what it took.
-
-    Args:
-        measured: of language models.
-        outcome: how often what they read holds as a whole.
-    """
+    """Prints who spoke, how well, and what it took."""
     data = measured.to_data(outcome)
     result("")
     result("language models")

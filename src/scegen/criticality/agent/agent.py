@@ -34,12 +34,7 @@ class Reply(FrozenModel):
 
 
 class ParameterAgent:
-    """Proposes changes of numbers through language models.
-
-    Args:
-        session: the models of the run, asked by other stages too.
-        progress: told each step.
-    """
+    """Proposes changes of numbers through the language models of a session."""
 
     def __init__(self, session: Session, progress: Callable[[str], None] = lambda _: None) -> None:
         self._session = session

@@ -11,10 +11,11 @@ from scegen.claims.ways import Way
 from scegen.criticality.proposals.driving import hindrances
 from scegen.criticality.proposals.proposal import Proposer
 from scegen.criticality.proposals.situation import situation_of
-from scegen.criticality.proposals.validating import Validator, Verdict
+from scegen.criticality.proposals.validating import Validator
 from scegen.criticality.search.optimize import Lead
 from scegen.criticality.search.problem import Problem
 from scegen.criticality.search.rebuild import rebuilt
+from scegen.motion.batch.arrays import Floats
 from scegen.scenario.concrete import Change, ConcreteScenario
 from scegen.scenario.proof import Advice, HazardProof
 
@@ -42,38 +43,20 @@ def advised(
 ) -> Advised:
     """Ask for proposals and validate them.
 
-    Args:
-        proposer: who is asked.
-        problem: the search that is to follow.
-        concrete: the scenario as it is.
-        ways: its ways from the outer ends of the arms.
-        hazards: which dangers happen already.
-        seed: of values that replace invalid ones.
+    ``ways`` lead from the outer ends of the arms; ``hazards`` tell which dangers happen already,
+    ``seed`` is that of values which replace invalid ones.
     """
     situation = situation_of(problem, hazards)
     origin = problem.space.origin
     validator = Validator(situation.parameters, origin, lambda x: hindrances(problem, x))
     proposed = proposer.propose(situation, validator.judge)
-    verdicts = validator.validate(proposed.proposals, proposed.speaker, _stream(seed, _DRAWS))
-    advice = Advice(
-        speaker=proposed.speaker,
-        changes=tuple(
-            Change(
-                parameter=v.parameter,
-                by=v.by,
-                before=None if v.before is None else round(v.before, 3),
-                after=None if v.after is None else round(v.after, 3),
-                reason=v.reason,
-                rejected=v.rejected,
-            )
-            for v in verdicts
-        ),
-        notes=proposed.notes,
-    )
-    if not verdicts or (verdicts[-1].x == origin).all():
+    draws = _stream(seed, _DRAWS)
+    changes, rows = validator.validate(proposed.proposals, proposed.speaker, draws)
+    advice = Advice(speaker=proposed.speaker, changes=changes, notes=proposed.notes)
+    if not changes or (rows[-1] == origin).all():
         return Advised(concrete, None, advice)
-    changed = _accounted(problem, concrete, ways, verdicts)
-    return Advised(changed, Lead(verdicts[-1].x, _stream(seed, _LOOKS)), advice)
+    changed = _accounted(problem, concrete, ways, changes, rows)
+    return Advised(changed, Lead(rows[-1], _stream(seed, _LOOKS)), advice)
 
 
 def _stream(seed: int, number: int) -> np.random.Generator:
@@ -84,11 +67,12 @@ def _accounted(
     problem: Problem,
     concrete: ConcreteScenario,
     ways: Mapping[str, Way],
-    verdicts: tuple[Verdict, ...],
+    changes: tuple[Change, ...],
+    rows: Floats,
 ) -> ConcreteScenario:
     """The scenario with one proposal after the other in it, every change under its name."""
-    outcome = problem.evaluate(np.array([v.x for v in verdicts]))
-    for row, verdict in enumerate(verdicts):
+    outcome = problem.evaluate(rows)
+    for row, change in enumerate(changes):
         known = len(concrete.provenance)
         concrete = rebuilt(
             concrete,
@@ -96,15 +80,15 @@ def _accounted(
             outcome.made,
             row,
             float(outcome.duration_s[row]),
-            verdict.reason,
-            by=verdict.by,
+            change.reason,
+            by=change.by,
         )
-        if verdict.rejected is None:
+        if change.rejected is None:
             continue
         first, *rest = concrete.provenance[known:] or (
-            Change(parameter=verdict.parameter, by=verdict.by, reason=verdict.reason),
+            Change(parameter=change.parameter, by=change.by, reason=change.reason),
         )
-        told = first.model_copy(update={"rejected": verdict.rejected})
+        told = first.model_copy(update={"rejected": change.rejected})
         provenance = (*concrete.provenance[:known], told, *rest)
         concrete = concrete.model_copy(update={"provenance": provenance})
     return concrete

@@ -97,4 +97,3 @@ class Proposer(Protocol):
 
     def propose(self, situation: Situation, check: Check) -> Proposed:
         """Changes for a situation; ``check`` says beforehand what the validator would reject."""
-        ...

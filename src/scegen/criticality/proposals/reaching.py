@@ -55,10 +55,7 @@ def explored(
 ) -> Explored:
     """Try values of every parameter, one at a time.
 
-    Args:
-        problem: the search.
-        parameters: its variables, as proposers see them.
-        places_m: where on its way somebody comes to the ground that it shares with another.
+    ``places_m``: where on its way somebody comes to the ground that it shares with another.
     """
     origin = problem.space.origin
     tried = [_values(p) for p in parameters]

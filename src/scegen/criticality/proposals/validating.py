@@ -7,7 +7,6 @@ that is valid; nothing can replace a parameter that does not exist.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from math import isfinite
 
@@ -16,7 +15,7 @@ import numpy as np
 from scegen.criticality.proposals.parameters import Parameter
 from scegen.criticality.proposals.proposal import Proposal
 from scegen.motion.batch.arrays import Floats
-from scegen.scenario.concrete import Rejected
+from scegen.scenario.concrete import Change, Rejected
 
 VALIDATOR = "validator"
 _DRAWS = 12
@@ -26,30 +25,11 @@ Hindrances = Callable[[Floats], frozenset[str]]
 """Why values of all variables (n,) cannot be driven; nothing: they can."""
 
 
-@dataclass(frozen=True, slots=True)
-class Verdict:
-    """What became of one proposal.
-
-    ``x`` (n,) are all values with this one and those before it; ``after`` is None where nothing
-    was set. ``by`` is the proposer, or the validator where it replaced or dropped the value.
-    """
-
-    parameter: str
-    by: str
-    before: float | None
-    after: float | None
-    reason: str
-    rejected: Rejected | None
-    x: Floats
-
-
 class Validator:
     """Judges proposals for one scenario.
 
-    Args:
-        parameters: all that may be changed.
-        origin: the values of all variables now (n,), inside their bounds.
-        hindrances: of values; those that the scenario has already are not held against anybody.
+    ``origin`` (n,) are the values of all variables now, inside their bounds. Hindrances that the
+    scenario has already are not held against anybody.
     """
 
     def __init__(
@@ -66,14 +46,12 @@ class Validator:
 
     def validate(
         self, proposals: Sequence[Proposal], by: str, rng: np.random.Generator
-    ) -> tuple[Verdict, ...]:
-        """A verdict for every proposal; the same generator gives the same verdicts.
+    ) -> tuple[tuple[Change, ...], Floats]:
+        """What becomes of every proposal; the same generator gives the same.
 
-        Args:
-            proposals: in the order of their importance: of two that contradict each other, the
-                first stands.
-            by: who proposes.
-            rng: for values that replace invalid ones.
+        Of two that contradict each other, the first stands; ``rng`` draws what replaces invalid
+        ones, of which a change is the validator's. Also all values with each one and those before
+        it (proposals, n).
         """
         why_not = self.judge(proposals)
         x = self._origin.copy()
@@ -93,42 +71,40 @@ class Validator:
                 replaced[n] = self._drawn(x, parameter, rng)
                 if replaced[n] is not None:
                     x[parameter.column] = replaced[n]
-        return tuple(self._verdicts(proposals, why_not, replaced, by))
+        return self._changes(proposals, why_not, replaced, by)
 
-    def _verdicts(
+    def _changes(
         self,
         proposals: Sequence[Proposal],
         why_not: Sequence[str | None],
         replaced: dict[int, float | None],
         by: str,
-    ) -> list[Verdict]:
-        x = self._origin.copy()
-        verdicts = []
+    ) -> tuple[tuple[Change, ...], Floats]:
+        rows = np.tile(self._origin, (len(proposals), 1))
+        changes = []
         for n, (proposal, why) in enumerate(zip(proposals, why_not, strict=True)):
             parameter = self._parameters.get(proposal.parameter)
-            before = None if parameter is None else float(x[parameter.column])
+            before = None if parameter is None else round(float(rows[n, parameter.column]), 3)
             after = float(proposal.value) if why is None else replaced[n]
             if parameter is not None and after is not None:
-                x = x.copy()
-                x[parameter.column] = after
+                rows[n:, parameter.column] = after
             rejected = None
             reason = one_line(proposal.reason)
             if why is not None:
                 rejected = Rejected(by=by, value=shown(proposal.value), why=why)
                 reason = "a random valid value instead" if after is not None else "left as it was"
                 reason += f"; {by} wanted: {one_line(proposal.reason)}"
-            verdicts.append(
-                Verdict(
-                    one_line(proposal.parameter),
-                    by if why is None else VALIDATOR,
-                    before,
-                    after,
-                    reason,
-                    rejected,
-                    x,
+            changes.append(
+                Change(
+                    parameter=one_line(proposal.parameter),
+                    by=by if why is None else VALIDATOR,
+                    before=before,
+                    after=None if after is None else round(after, 3),
+                    reason=reason,
+                    rejected=rejected,
                 )
             )
-        return verdicts
+        return tuple(changes), rows
 
     def judge(self, proposals: Sequence[Proposal]) -> list[str | None]:
         """Why each of some proposals cannot stand; None if it can."""

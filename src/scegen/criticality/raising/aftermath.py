@@ -38,12 +38,9 @@ _SHARPLY = 0.65
 def halted(concrete: ConcreteScenario, view: View, *, scraping: bool) -> ConcreteScenario:
     """The scenario in which all who touch somebody come to rest from their first contact on.
 
-    What they would do after it is left out. The same one if nobody touches anybody.
-
-    Args:
-        concrete: the scenario.
-        view: its movement, one candidate.
-        scraping: whether one who moves sideways into another goes no farther that way.
+    What they would do after it is left out. The same one if nobody touches anybody. ``view`` is its
+    movement, one candidate. With ``scraping``, one who moves sideways into another goes no farther
+    that way.
     """
     met = _first_contacts(view)
     people = []

@@ -58,14 +58,8 @@ def braking_leaders(
     """Scenarios in which one brakes ahead of another, and the pair it is about; the ego's first.
 
     None for a pair of which the text names somebody as the cause of a danger, nor where something
-    is asked for that braking does not change.
-
-    Args:
-        found: what the scenario shows as it is.
-        network: its road network.
-        target: what is asked for.
-        pairs: of whom; the most important first.
-        friction: coefficient between tyre and road.
+    is asked for that braking does not change. Of ``pairs`` the most important comes first;
+    ``friction`` is the coefficient between tyre and road.
     """
     concrete = found.concrete
     if all(choice[0].measure == "pet" for choice in target.choices):

@@ -34,14 +34,10 @@ def bind_to_ego(
 ) -> ConcreteScenario:
     """Let those who meet the ego wait for it, if their danger then meets a slower and faster one.
 
-    What happens as planned stays as it is: the same danger, at the same time. Those who look at
-    the ego already, and those for whom waiting helps nothing, are left alone.
-
-    Args:
-        concrete: the scenario.
-        network: its road network.
-        meetings_s: whose danger it is, in order of importance, and when it may be said to happen.
-        stands: whether a scenario still shows all that is wanted.
+    What happens as planned stays as it is: the same danger, at the same time. Those who look at the
+    ego already, and those for whom waiting helps nothing, are left alone. ``meetings_s``: whose
+    danger it is, in order of importance, and when it may be said to happen. ``stands``: whether a
+    scenario still shows all that is wanted.
     """
     for name, times_s in meetings_s.items():
         concrete = _bound(concrete, network, name, times_s, stands)

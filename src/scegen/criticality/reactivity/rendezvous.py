@@ -54,13 +54,8 @@ def joins(
 ) -> list[Join]:
     """Where somebody drives steadily before ``until_s``, the earliest first.
 
-    Nothing after a phase that serves a danger: that must not be left out.
-
-    Args:
-        participant: who.
-        trace: its movement.
-        fired_s: when its phases fire, inf for never (phases,).
-        until_s: when it must be on its plan, s.
+    Nothing after a phase that serves a danger: that must not be left out. ``fired_s`` (phases,) is
+    when its phases fire, inf for never, ``until_s`` when it must be on its plan, s.
     """
     found: list[Join] = []
     begins, program = 0.0, participant.speed_program
@@ -92,15 +87,10 @@ def held_back(
 ) -> ConcreteScenario | None:
     """The scenario with ``who`` held back at ``share`` of its speed; None where there is no room.
 
-    Args:
-        concrete: the scenario.
-        ways: its ways, from where everybody starts.
-        ego: the ego's movement.
-        who: who is to wait for it; must drive.
-        join: when it is back on its plan.
-        share: its speed while it waits, as a share of that at the join, below 1.
-        meeting_s: when the two meet as planned; where the ego is then, it is waited for.
-        friction: coefficient between tyre and road.
+    ``ways`` begin where everybody starts, ``ego`` is the ego's movement; ``who`` must drive, and is
+    back on its plan at ``join``. ``share``, below 1, is its speed while it waits, of that at the
+    join. At ``meeting_s`` the two meet as planned; where the ego is then, it is waited for.
+    ``friction`` is the coefficient between tyre and road.
     """
     participant, way = concrete.participant(who), ways[who]
     motion = participant.motion

@@ -201,13 +201,10 @@ def build_space(
 ) -> Space:
     """The search space of a scenario.
 
-    Args:
-        concrete: the scenario, with drives that start at the outer end of their arms.
-        ways: its ways.
-        base: its numbers, with the starts that it really has.
-        involved: those who take part in what is wanted; the others only start elsewhere.
-        friction: coefficient between tyre and road.
-        stated: what the description fixes.
+    ``concrete`` has drives that start at the outer end of their arms, ``base`` the starts that it
+    really has. Only those ``involved`` take part in what is wanted; the others only start
+    elsewhere. ``stated`` is what the description fixes, ``friction`` the coefficient between tyre
+    and road.
     """
     maker = _Maker(concrete, ways, friction, stated)
     starts, speeds, recipes = [], [], list[PhaseRecipe]()

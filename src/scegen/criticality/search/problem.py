@@ -239,13 +239,7 @@ def follows_from(view: View, target: Target, pair: tuple[str, ...], other: int) 
     """Whether a pair touches only after the contact that is asked for, and because of it (c,).
 
     Where bodies go after they have hit each other is not modelled: who runs into the tail of a
-    queue is not to be stopped by the one before.
-
-    Args:
-        view: the candidates.
-        target: what is asked for.
-        pair: who shall touch.
-        other: the number of another pair.
+    queue is not to be stopped by the one before. ``other`` is the number of another pair.
     """
     wanted = view.pair(*pair) if pair else None
     if wanted is None or target.contact is not True:

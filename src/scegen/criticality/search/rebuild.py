@@ -33,14 +33,8 @@ def rebuilt(
 ) -> ConcreteScenario:
     """The scenario with a candidate's numbers.
 
-    Args:
-        concrete: the scenario as it was.
-        ways: the ways from the outer ends of the arms, on which the candidate's starts lie.
-        made: the candidates.
-        row: which of them.
-        duration_s: how long it takes.
-        why: the reason noted for every change.
-        by: who makes them.
+    ``ways`` are those from the outer ends of the arms, on which the candidate's starts lie; ``row``
+    is its number, ``why`` and ``by`` whom are noted for every change.
     """
     changes: list[Change] = []
     people, first = [], 0

@@ -47,9 +47,7 @@ def smallest_cover(scenarios: Sequence[LogicalScenario], functional: FunctionalS
 def fewest(held: Sequence[frozenset[T]], most_conflicts: int) -> tuple[tuple[int, ...], bool]:
     """The indices of the fewest sets that hold together what all hold; whether that is proved.
 
-    Args:
-        held: sets of anything that can be sorted.
-        most_conflicts: the solver's own measure of effort; it then gives the best so far.
+    ``most_conflicts`` is the solver's own measure of effort; it then gives the best so far.
     """
     useful = _undominated(held)
     number: dict[T, int] = {}

@@ -26,8 +26,8 @@ def diverse_sample(
     """Greedy max-min, from the richest scenario on; ties go to the first in the list."""
     if size >= len(scenarios):
         return tuple(scenarios)
-    ways = _codes([_ways(s) for s in scenarios])
-    meetings = _codes([_meetings(s, functional) for s in scenarios])
+    ways = codes_of([_ways(s) for s in scenarios])
+    meetings = codes_of([_meetings(s, functional) for s in scenarios])
     chosen = [min(range(len(scenarios)), key=lambda i: richest_first(scenarios[i], functional))]
     nearest = _distances(ways, meetings, chosen[0])
     while len(chosen) < size:
@@ -41,8 +41,8 @@ def distance(
 ) -> float:
     """The distance of two scenarios of one functional scenario."""
     pair = (first, second)
-    ways = _codes([_ways(s) for s in pair])
-    return float(_distances(ways, _codes([_meetings(s, functional) for s in pair]), 0)[1])
+    ways = codes_of([_ways(s) for s in pair])
+    return float(_distances(ways, codes_of([_meetings(s, functional) for s in pair]), 0)[1])
 
 
 def _distances(ways: Codes, meetings: Codes, to: int) -> NDArray[np.float64]:
@@ -67,8 +67,8 @@ def _meetings(scenario: LogicalScenario, functional: FunctionalScenario) -> list
     return [met.get(pair) for pair in combinations(names, 2)]
 
 
-def _codes(rows: Iterable[list[Hashable]]) -> Codes:
-    """Equal values become equal numbers."""
+def codes_of(rows: Iterable[Iterable[Hashable]]) -> Codes:
+    """Equal values become equal numbers, by row."""
     numbers: dict[Hashable, int] = {}
     table = [[numbers.setdefault(value, len(numbers)) for value in row] for row in rows]
     return np.array(table, dtype=np.int32)

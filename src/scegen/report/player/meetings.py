@@ -180,11 +180,7 @@ def meetings_of(
 ) -> Meetings:
     """Measure everybody against the ego, and whoever a danger names against its other.
 
-    Args:
-        concrete: the scenario.
-        paths: the ways of its participants.
-        traces: their movement.
-        pair: whom it is about; whoever comes nearest to the ego, if empty.
+    ``pair`` is whom it is about; whoever comes nearest to the ego, if empty.
     """
     if not pair and (nearest := closest_encounter(concrete, traces)) is not None:
         pair = (concrete.ego.id, nearest.other)

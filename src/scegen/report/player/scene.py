@@ -40,14 +40,9 @@ def player_scene(
 ) -> Data:
     """A scene for the player; the same input gives the same data.
 
-    Args:
-        concrete: the scenario.
-        network: its roads.
-        traces: the movement of every participant, at the same evenly spaced times from 0 on; the
-            finer, the nearer are the plotted extremes to those of the proof.
-        proof: the claims and dangers to show, and whom it is about.
-        paths: the ways of its participants, built here if not given.
-        title: what it is called where two are compared.
+    ``traces`` are at the same evenly spaced times from 0 on; the finer, the nearer are the plotted
+    extremes to those of the proof, which says what to show and whom it is about. ``paths`` are
+    built here if not given; ``title`` is what it is called where two are compared.
 
     Raises:
         MotionInfeasibleError: the numbers cannot be built.
@@ -82,10 +77,7 @@ def scene_of(
 ) -> Data:
     """A scenario simulated as finely as in its proof, for the player.
 
-    Args:
-        concrete: the scenario.
-        proof: what is claimed of it.
-        first: it is the first timing, of which the proof says only whom it is about.
+    Of a ``first`` timing the proof says only whom it is about.
 
     Raises:
         RoadInfeasibleError, MotionInfeasibleError: the numbers cannot be built.

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 import nicegui.elements.scene
 from nicegui.element import Element
 from nicegui.elements.mixins.text_element import TextElement
+from nicegui.events import GenericEventArguments
 
 _SCENE = Path(nicegui.elements.scene.__file__).parent / "dist"
 """three.js, as the framework brings it for its own scenes."""
@@ -70,36 +72,40 @@ def drawn(svg: str, classes: str = "", tag: str = "div") -> Element:
     return element
 
 
-class Description(Element, component="description.js"):
-    """The text box with the standing of its words."""
+class Component(Element):
+    """An element drawn in the browser from its properties, which tells of what is done there."""
 
-    def __init__(self, *, longest: int, placeholder: str) -> None:
+    def __init__(self, **properties: object) -> None:
         super().__init__()
-        self.props["longest"] = longest
-        self.props["placeholder"] = placeholder
-        self.show("", [])
+        self.show(**{name: value for name, value in properties.items() if value is not None})
 
-    def show(self, text: str, spans: list[dict[str, Any]]) -> None:
-        """Put in a text and what became of its words."""
-        self.props["spans"] = spans
-        self.props["value"] = text
+    def show(self, **properties: object) -> None:
+        """Give it these properties, all at once."""
+        self.props.update(properties)
 
-    def when(self, *, draft: Handler, submit: Handler) -> None:
-        """Call these with the text: while it is typed, and when it is to be understood."""
-        self.on("draft", lambda event: draft(event.args))
-        self.on("submit", lambda event: submit(event.args))
+    def when(self, **handlers: Handler) -> None:
+        """Call each of these with what is told under its name."""
+        for name, handler in handlers.items():
+            self.on(name, partial(_hear, handler))
 
 
-class Entry(Element, component="entry.js"):
+def _hear(handler: Handler, event: GenericEventArguments) -> None:
+    handler(event.args)
+
+
+class Description(Component, component="description.js"):
+    """The text box with the standing of its words.
+
+    It tells the text: as a ``draft`` while it is typed, and to ``submit`` it.
+    """
+
+
+class Entry(Component, component="entry.js"):
     """One labelled input."""
 
-    def __init__(self, value: object, changed: Handler, **props: object) -> None:
-        super().__init__()
-        self.props["value"] = value
-        for name, prop in props.items():
-            if prop is not None:
-                self.props[name] = prop
-        self.on("value", lambda event: changed(event.args))
+    def __init__(self, value: object, changed: Handler, **properties: object) -> None:
+        super().__init__(value=value, **properties)
+        self.when(value=changed)
 
 
 def choice(options: Sequence[tuple[str, str]]) -> list[dict[str, str]]:
@@ -107,107 +113,30 @@ def choice(options: Sequence[tuple[str, str]]) -> list[dict[str, str]]:
     return [{"value": value, "label": label} for value, label in options]
 
 
-class Editor(Protocol):
-    """Who hears what is changed in a form."""
+class Form(Component, component="form.js"):
+    """The functional scenario as a form; ``wrong`` says what keeps the form from being one.
 
-    def edit(self, data: dict[str, Any]) -> None:
-        """All data, changed."""
-
-    def rename(self, old: str, new: str) -> None:
-        """Somebody's name."""
-
-    def forget(self, name: str) -> None:
-        """Somebody is taken out."""
-
-    def confirm(self, *paths: str) -> None:
-        """What was assumed of a field is meant."""
+    It tells of an ``edit`` with all data, of two names to ``rename``, of a name to ``forget``, and
+    to ``confirm`` what was assumed of a field.
+    """
 
 
-class Form(Element, component="form.js"):
-    """The functional scenario as a form."""
+class Gallery(Component, component="gallery.js"):
+    """All logical scenarios as tiles, fetched from ``source`` as they come into sight.
 
-    def __init__(self, spec: list[dict[str, Any]], sections: Sequence[str]) -> None:
-        super().__init__()
-        self.props["spec"] = spec
-        self.props["sections"] = list(sections)
-
-    def show(
-        self,
-        scenario: dict[str, Any],
-        standings: dict[str, Any],
-        colours: dict[str, str],
-        wrong: str | None,
-    ) -> None:
-        """Put in a scenario; ``wrong`` says what keeps the form from being one."""
-        with self.props.suspend_updates():
-            self.props["scenario"] = scenario
-            self.props["standings"] = standings
-            self.props["colours"] = colours
-        self.props["wrong"] = wrong
-
-    def when(self, editor: Editor) -> None:
-        """Tell this of what is changed."""
-        self.on("edit", lambda event: editor.edit(event.args))
-        self.on("rename", lambda event: editor.rename(*event.args))
-        self.on("forget", lambda event: editor.forget(event.args))
-        self.on("confirm", lambda event: editor.confirm(event.args))
+    A new ``edition`` throws away the pictures of the old. It tells what to ``pick``, and the
+    ``only`` one to be chosen.
+    """
 
 
-class Gallery(Element, component="gallery.js"):
-    """All logical scenarios as tiles, fetched from ``source`` as they come into sight."""
-
-    def __init__(self, source: str, ratio: float) -> None:
-        super().__init__()
-        self.props["source"] = source
-        self.props["ratio"] = ratio
-        self.show([], [], 0)
-
-    def show(self, indices: list[int], picked: list[int], edition: int) -> None:
-        """Show these scenarios; a new ``edition`` throws away the pictures of the old."""
-        with self.props.suspend_updates():
-            self.props["indices"] = indices
-            self.props["picked"] = picked
-        self.props["edition"] = edition
-
-    def when(self, *, pick: Handler, only: Handler) -> None:
-        """Call these when scenarios are picked, or one alone."""
-        self.on("pick", lambda event: pick(event.args))
-        self.on("only", lambda event: only(event.args))
-
-
-class Rules(Element, component="rules.js"):
-    """A box for rules of one's own, with what they may ask for."""
-
-    def __init__(self, words: list[dict[str, str]], *, longest: int) -> None:
-        super().__init__()
-        self.props["words"] = words
-        self.props["longest"] = longest
-        self.show("")
-
-    def show(self, text: str) -> None:
-        """Put in the rules that are kept now."""
-        if self.props.get("value") != text:
-            self.props["value"] = text
-
-    def when(self, *, keep: Handler) -> None:
-        """Call this with the rules that are to be kept."""
-        self.on("keep", lambda event: keep(event.args))
+class Rules(Component, component="rules.js"):
+    """A box for rules of one's own, with what they may ask for; it tells the rules to ``keep``."""
 
 
 class Cinema(
-    Element, component="cinema.js", esm={"nicegui-scene": str(_SCENE), "scegen-seat": "seat"}
+    Component, component="cinema.js", esm={"nicegui-scene": str(_SCENE), "scegen-seat": "seat"}
 ):
-    """The player of one scenario, with the view from the driver's seat beside it.
+    """The player (a ``script`` at an address) of what lies at ``source``, if that is not empty.
 
-    Args:
-        script: address of the player's module.
+    Beside it is the view from the driver's seat.
     """
-
-    def __init__(self, script: str) -> None:
-        super().__init__()
-        self.props["script"] = script
-        self.show("")
-
-    def show(self, source: str) -> None:
-        """Play what lies at this address; nothing if it is empty."""
-        self.props["source"] = source

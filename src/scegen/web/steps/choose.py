@@ -39,7 +39,7 @@ class Choose(StepView):
                 self._facets = node("div", "facets")
                 self._expression = node("div", "expression")
                 self._rules = Rules(
-                    [{"form": w.form, "means": w.means} for w in VOCABULARY.values()],
+                    words=[{"form": w.form, "means": w.means} for w in VOCABULARY.values()],
                     longest=LONGEST_RULES,
                 )
                 self._rules.when(keep=lambda text: work.keep_rules(str(text)))
@@ -74,7 +74,7 @@ class Choose(StepView):
                 self._certificate = node("p", "certificate soft")
                 self._activity = Activity(work, "listing", "choosing")
                 ratio = tile_ratio(work.functional) if work.functional else 1.2
-                self._gallery = Gallery("/tiles", ratio)
+                self._gallery = Gallery(source="/tiles", ratio=ratio)
                 self._gallery.when(pick=self._pick, only=lambda index: work.choose([int(index)]))
             with node("section", "pane covered", aria_label="Coverage"):
                 node("h2", "", "Coverage of the choice")
@@ -85,7 +85,7 @@ class Choose(StepView):
         """Draw again what has changed."""
         self._activity.refresh()
         if changed & {"listing", "choice"}:
-            self._rules.show(self._work.rules)
+            self._rules.show(value=self._work.rules)
             self._show_head()
             self._show_tiles()
             self._show_filters()
@@ -104,7 +104,7 @@ class Choose(StepView):
         self._chosen_only.props(f"aria-pressed={'true' if self._only else 'false'}")
         self._chosen_only.text = f"Chosen ({len(work.picked)})"
         shown = sorted(work.picked) if self._only else work.shown
-        self._gallery.show(shown, work.picked, work.edition)
+        self._gallery.show(indices=shown, picked=work.picked, edition=work.edition)
 
     def _counting(self) -> None:
         work = self._work

@@ -13,12 +13,11 @@ from scegen.measures.registry import measure_named
 from scegen.pipeline.options import CheckDepth, EgoMode, OscVersion
 from scegen.pipeline.raising import NO_SEARCH
 from scegen.scenario.wording import counted
-from scegen.web.elements import Entry, Form, button, choice, clickable, drawn, mark, node
-from scegen.web.form import form_spec
+from scegen.web.elements import Entry, button, choice, clickable, drawn, mark, node
 from scegen.web.jobs import Step
 from scegen.web.pictures import tile_picture
 from scegen.web.steps.outcome import outcome_cards
-from scegen.web.steps.step import Activity, StepView, show_form
+from scegen.web.steps.step import Activity, StepView, form_of, show_form
 
 _TARGETS = {
     "": ("As described", "what the text tells, else a near miss where one can be"),
@@ -57,8 +56,7 @@ class Danger(StepView):
                 node("h1", "", "Make it dangerous")
                 self._targets = node("div", "targets", role="radiogroup", aria_label="Target")
                 self._band = node("div", "band-box")
-                self._hazards = Form(form_spec(), ("hazards", "outcome"))
-                self._hazards.when(work)
+                self._hazards = form_of(work, ("hazards", "outcome"))
                 with node("details", "more-options"):
                     node("summary", "", "Files and search")
                     self._more()

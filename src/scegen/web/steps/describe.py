@@ -9,11 +9,10 @@ from typing import Any
 from scegen.report.evidence import STANDS_FOR
 from scegen.scenario.wording import counted
 from scegen.understanding import MAX_CHARACTERS, Finding, Standing, passages
-from scegen.web.elements import Description, Form, button, dotted, drawn, mark, node, tell
-from scegen.web.form import form_spec
+from scegen.web.elements import Description, button, dotted, drawn, mark, node, tell
 from scegen.web.pictures import junction, tile_picture
 from scegen.web.steps.opening import entry_row
-from scegen.web.steps.step import Activity, StepView, show_form
+from scegen.web.steps.step import Activity, StepView, form_of, show_form
 from scegen.web.work import Work
 
 _SECTIONS = ("participants", "acts", "spacings", "hazards", "outcome", "objects", "junction",
@@ -63,8 +62,7 @@ class Describe(StepView):
                 self._found = node("div", "found")
                 self._model = node("div", "model-box")
             with node("section", "pane fields", aria_label="What was understood"):
-                self._form = Form(form_spec(), _SECTIONS)
-                self._form.when(self._work)
+                self._form = form_of(self._work, _SECTIONS)
                 self._wrong = node("div", "problem", role="alert")
             with node("section", "pane plan", aria_label="Plan"):
                 self._plan = node("div", "plan-box")
@@ -101,7 +99,7 @@ class Describe(StepView):
 
     def _show_all(self) -> None:
         work = self._work
-        self._text.show(work.draft, _spans(work))
+        self._text.show(value=work.draft, spans=_spans(work))
         blank = work.functional is None and work.report is None
         mark(self._whole, "blank", on=blank)
         mark(self._button, "secondary", on=work.functional is not None)

@@ -53,8 +53,7 @@ class Filters:
 
     def refresh(self) -> None:
         """Show the expression and what is wrong with it."""
-        self._entry.props["value"] = self._work.where
-        self._entry.props["wrong"] = self._work.where_trouble is not None
+        self._entry.show(value=self._work.where, wrong=self._work.where_trouble is not None)
         tell(self._trouble, self._work.where_trouble)
 
     def _build(self, facet: Facet, names: set[str]) -> None:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from scegen.web.elements import Form, button, node, tell
-from scegen.web.form import standings
+from scegen.web.form import form_spec, standings
 from scegen.web.jobs import JobState
 from scegen.web.pictures import participant_colours
 from scegen.web.work import Work
@@ -15,12 +15,7 @@ Go = Callable[[str], None]
 
 
 class StepView:
-    """A step while it is shown.
-
-    Args:
-        work: of whom it shows.
-        go: shows another step.
-    """
+    """A step while it is shown; ``go`` shows another one."""
 
     def __init__(self, work: Work, go: Go) -> None:
         self._work, self._go = work, go
@@ -34,25 +29,35 @@ class StepView:
         raise NotImplementedError
 
 
+def form_of(work: Work, sections: Sequence[str]) -> Form:
+    """A form of these sections, in which the work is changed."""
+    form = Form(spec=form_spec(), sections=sections)
+    form.when(
+        edit=work.edit,
+        rename=lambda names: work.rename(*names),
+        forget=work.forget,
+        confirm=work.confirm,
+    )
+    return form
+
+
 def show_form(form: Form, work: Work) -> None:
     """Put the functional scenario into a form, which is there if that is."""
     functional = work.functional
     form.set_visibility(functional is not None)
     if functional is not None:
         form.show(
-            functional.model_dump(mode="json"),
-            standings(work.report),
-            participant_colours(functional),
-            work.form_trouble,
+            scenario=functional.model_dump(mode="json"),
+            standings=standings(work.report),
+            colours=participant_colours(functional),
+            wrong=work.form_trouble,
         )
 
 
 class Activity:
     """A line that says what is being done, how long it has taken, and lets it be cancelled.
 
-    Args:
-        work: whose jobs it tells of.
-        kinds: of the jobs, the one to be told first comes first.
+    Of the ``kinds`` of jobs that it tells of, the one to be told first comes first.
     """
 
     def __init__(self, work: Work, *kinds: str) -> None:
@@ -76,7 +81,8 @@ class Activity:
             said = "waiting for its turn" if waiting else step
             self._text.text = f"{said} · {job.seconds:.0f} s"
         troubles = [self._work.trouble(kind) for kind in self._kinds]
-        tell(self._problem, next((t.in_words for t in troubles if t is not None), None))
+        wrong = [t.render().replace("\n  ", " ") for t in troubles if t is not None]
+        tell(self._problem, wrong[0] if wrong else None)
 
     def _cancel(self) -> None:
         self._work.cancel(*self._kinds)

@@ -20,7 +20,7 @@ class Watch(StepView):
                 self._tabs = node("div", "tabs", role="tablist", aria_label="Scenarios")
                 button("Take away", lambda: self._go("take"), "primary")
             self._activity = Activity(self._work, "making", "looking", "opening", "filming")
-            self._cinema = Cinema(f"/player/{ENTRY}")
+            self._cinema = Cinema(script=f"/player/{ENTRY}")
         self.refresh({"made", "watched"})
 
     def refresh(self, changed: set[str]) -> None:
@@ -42,4 +42,4 @@ class Watch(StepView):
                     dotted(made.state, made.name)
         ready = work.watched if work.watched in work.films else None
         source = f"/film?name={quote(ready)}&edition={work.revision['made']}" if ready else ""
-        self._cinema.show(source)
+        self._cinema.show(source=source)
