@@ -224,8 +224,10 @@ def _going(chunks: list[Chunk], k: int) -> list[Chunk]:
 
 def _of_the_same(verb: Chunk, before: list[Chunk]) -> list[Mention]:
     """``A van follows us. Brakes hard.``: whom the sentence before is about."""
+    if not isinstance(verb, Event) or verb.form != "s" or verb.nominal:
+        return []
     last = next((c for c in reversed(before) if c.cat not in {"manner", "conj"}), NOTHING)
-    if not isinstance(verb, Event) or verb.form != "s" or verb.nominal or last.value not in _STOPS:
+    if last.value not in _STOPS:
         return []
     told = [free_mentions(before[begin:end]) for begin, end in sentences(before)]
     about = next((named[0] for named in reversed(told) if named), None)
@@ -236,12 +238,15 @@ def _of_the_same(verb: Chunk, before: list[Chunk]) -> list[Mention]:
 def _touching(chunks: list[Chunk], k: int) -> list[Chunk]:
     """``our front into its tail``, ``…, middle of our front``: parts touch, without a verb."""
     at = chunks[k].i
+    opens = k == 0 or ends(chunks[k - 1]) or chunks[k - 1].value == ","
+    if not (opens or chunks[k].value == "into"):
+        return []
     marks = [m for m, c in enumerate(chunks) if ends(c) or c.value == ","]
     before = chunks[max((m + 1 for m in marks if m < k), default=0) : k]
     after = chunks[k : min((m for m in marks if m >= k), default=len(chunks))]
     if chunks[k].value == "into" and _of_bodies(before) and _of_bodies(after[1:]):
         return [Event("collide", at, at, "s", lemma="hit")]
-    if not before and _of_bodies(after):
+    if opens and _of_bodies(after):
         return [Event("collide", at, at, "base", nominal=True), Term("prep", "in", at, at)]
     return []
 
