@@ -140,13 +140,17 @@ class View:
         """The pairs that touch in a candidate."""
         return np.flatnonzero(~np.isnan(self.summary.contact_s[candidate])).tolist()
 
-    def gap_m(self, follower: str, leader: str) -> Floats:
-        """Clear gap along the follower's path; nan where the leader is not ahead in its lane."""
+    def gap_m(self, follower: str, leader: str, steps: int | None = None) -> Floats:
+        """Clear gap along the follower's path; nan where the leader is not ahead in its lane.
+
+        In the first ``steps``, or all.
+        """
         found = self.pair(follower, leader)
         first = -1 if found is None else int(self.scene.following.first[found])
         i, j = self.index[follower], self.index[leader]
         rear_m, front_m = self.scene.following.rear_m, self.body(follower).front_m
-        return gaps_behind(self.traces.tracks, i, j, front_m, rear_m, first)
+        tracks = self.traces.tracks if steps is None else self.traces.tracks[..., :steps].copy()
+        return gaps_behind(tracks, i, j, front_m, rear_m, first)
 
     def room_m(self, name: str, other: str) -> Floats:
         """Way left until the other's: the next conflict area or the other's rear; nan: neither."""
@@ -173,10 +177,13 @@ class View:
         edges = zip(table.enter_m[rows].tolist(), table.leave_m[rows].tolist(), strict=True)
         return [Ground(come[i], go[i], come[j], go[j]) for come, go in edges]
 
-    def headway_s(self, follower: str, leader: str) -> Floats:
-        """Time headway; inf where there is none (no leader, or the follower stands)."""
-        speed = self.speed_mps(follower)
-        headway = self.gap_m(follower, leader) / np.maximum(speed, 1.0)
+    def headway_s(self, follower: str, leader: str, steps: int | None = None) -> Floats:
+        """Time headway; inf where there is none (no leader, or the follower stands).
+
+        In the first ``steps``, or all.
+        """
+        speed = self.speed_mps(follower)[:, :steps]
+        headway = self.gap_m(follower, leader, steps) / np.maximum(speed, 1.0)
         return np.where(np.isnan(headway) | (speed < 1.0), np.inf, headway)
 
     def acceleration_mps2(self, name: str, over_s: float) -> Floats:

@@ -68,7 +68,7 @@ def _apart(pairs: list[tuple[str, str]], view: View) -> Judged:
     least = np.full(view.count, np.inf)
     for follower, leader in pairs:
         moves = view.speed_mps(leader)[:, 0] > STANDS_MPS
-        headway = view.headway_s(follower, leader)[:, 0]
+        headway = view.headway_s(follower, leader, steps=1)[:, 0]
         least = np.where(moves, np.minimum(least, headway), least)
     return Judged(np.minimum(least, LEAD_IN_S) - CLOSEST_S, least, np.zeros(view.count))
 
