@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from scegen.claims.boxes import boxes, free_width_m, offset, same_way, seen
+from scegen.claims.boxes import boxes, offset, same_way, seen
 from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
 from scegen.claims.series import at, first, lasting
@@ -24,12 +24,13 @@ def comes_in_ahead(view: View, by: str, to: str, _: Floats) -> Part:
     the other before.
     """
     frame, box = boxes(view, to), boxes(view, by)
-    beside = free_width_m(frame, box) > 0.0
+    there = seen(frame, box)
+    beside = np.maximum(there.right, -there.left) > frame.half_width
     inside = ~beside & (same_way(frame, box) > _SAME_WAY)
     time = np.arange(view.steps) * view.dt_s
     touch = np.nan_to_num(view.of_pair("contact_s", by, to), nan=np.inf)[:, None]
     comes = np.maximum.accumulate(beside, axis=1) & _begins(inside) & (time <= touch + view.dt_s)
-    front = np.where(comes, seen(frame, box).front, -np.inf)
+    front = np.where(comes, there.front, -np.inf)
     ahead = np.where(comes.any(axis=1), front.max(axis=1), np.inf)
     return at_least("front ahead as it comes in", ahead, limits.AHEAD, view.when(front))
 
