@@ -64,10 +64,14 @@ def boxes(view: View, name: str) -> Boxes:
 
 def box_at(view: View, name: str, step: Ints | int) -> Boxes:
     """The box of an entity at a step of each candidate (c,), in the frame of the road."""
-    rows = np.arange(view.count)
     at = np.minimum(np.maximum(step, 0), view.steps - 1)
-    track = view.laid[rows, view.index[name], :, at]
-    return around(view.body(name), *(track[:, row] for row in (X, Y, COS, SIN)))
+
+    def make() -> Boxes:
+        rows = np.arange(view.count) if np.ndim(at) else slice(None)
+        track = view.laid[rows, view.index[name], :, at]
+        return around(view.body(name), *(track[:, row] for row in (X, Y, COS, SIN)))
+
+    return make() if np.ndim(at) else view.once(("box", name, int(at)), make)
 
 
 def around(body: Body, x: Floats, y: Floats, cos: Floats, sin: Floats) -> Boxes:

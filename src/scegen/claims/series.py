@@ -9,6 +9,11 @@ import numpy as np
 from scegen.motion.batch.arrays import Bools, Floats, Ints
 
 
+def filled(values: Floats, undefined: float) -> Floats:
+    """The values, with this one where they are nan (numpy.nan_to_num takes six times as long)."""
+    return np.where(np.isnan(values), undefined, values)
+
+
 def first(flags: Bools) -> Ints:
     """The first step that is so; the number of steps where none is (c,)."""
     found = np.where(flags.any(axis=1), flags.argmax(axis=1), flags.shape[1])

@@ -12,6 +12,7 @@ from typing import TypeVar, cast
 
 import numpy as np
 
+from scegen.claims.series import filled
 from scegen.claims.straightened import axis_of, straightened
 from scegen.claims.ways import Way
 from scegen.measures.distance import distances_at
@@ -81,7 +82,7 @@ class View:
 
     def step_of(self, time_s: Floats) -> Ints:
         """The step nearest to a time; the first where the time is undefined."""
-        return np.asarray(np.rint(np.nan_to_num(time_s) / self.dt_s), dtype=np.int64)
+        return np.asarray(np.rint(filled(time_s, 0.0) / self.dt_s), dtype=np.int64)
 
     def body(self, name: str) -> Body:
         """The body of a participant or a thing."""

@@ -10,7 +10,7 @@ import numpy as np
 from scegen.claims.boxes import boxes, offset, same_way, seen
 from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
-from scegen.claims.series import at, first, lasting
+from scegen.claims.series import at, filled, first, lasting
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools, Floats
 
@@ -28,7 +28,7 @@ def comes_in_ahead(view: View, by: str, to: str, _: Floats) -> Part:
     beside = np.maximum(there.right, -there.left) > frame.half_width
     inside = ~beside & (same_way(frame, box) > _SAME_WAY)
     time = np.arange(view.steps) * view.dt_s
-    touch = np.nan_to_num(view.of_pair("contact_s", by, to), nan=np.inf)[:, None]
+    touch = filled(view.of_pair("contact_s", by, to), np.inf)[:, None]
     comes = np.maximum.accumulate(beside, axis=1) & _begins(inside) & (time <= touch + view.dt_s)
     front = np.where(comes, there.front, -np.inf)
     ahead = np.where(comes.any(axis=1), front.max(axis=1), np.inf)

@@ -9,7 +9,7 @@ import numpy as np
 
 from scegen.claims.claim import Claim, ClaimKind, Judged
 from scegen.claims.hazards.table import PREDICATES
-from scegen.claims.series import chosen
+from scegen.claims.series import chosen, filled
 from scegen.claims.told import Told
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Floats
@@ -67,7 +67,7 @@ def _goes_on(told: Told, view: View) -> Judged:
     never, start = np.full(view.count, np.inf), np.zeros(view.count)
     found = [(never, start, never)]
     for pair, ends in _ends(told, view):
-        away = np.nan_to_num(view.of_pair("distance_m", *pair), nan=np.inf)
+        away = filled(view.of_pair("distance_m", *pair), np.inf)
         found.append((away, view.of_pair("closest_s", *pair), ends[:, 2]))
     least, when, before = chosen(found, np.argmin)
     left = view.time_of(view.last_step) - when - GOES_ON_S

@@ -11,6 +11,7 @@ from scegen.claims.boxes import box_at, seen, to_side
 from scegen.claims.claim import Claim, ClaimKind, Judged, Test, always, best_of
 from scegen.claims.hazards.thresholds import IN_SIGHT, OCCLUDED
 from scegen.claims.hidden import hidden
+from scegen.claims.series import filled
 from scegen.claims.told import Told, plain
 from scegen.claims.tolerances import SAME_LANE_M
 from scegen.claims.view import View
@@ -46,7 +47,7 @@ def _in_way(thing: Thing, name: str, view: View) -> Judged:
     if thing.id not in view.index:
         return always(view, holds=False)
     found = []
-    for time_s in (np.zeros(view.count), np.nan_to_num(view.of_pair("closest_s", name, thing.id))):
+    for time_s in (np.zeros(view.count), filled(view.of_pair("closest_s", name, thing.id), 0.0)):
         step = view.step_of(time_s)
         place = seen(box_at(view, name, step), box_at(view, thing.id, step))
         reach = (place.left - place.right) / 2.0 + SAME_LANE_M
@@ -59,7 +60,7 @@ def _on_side(thing: Thing, ego: str, side: Side, view: View) -> Judged:
     """To that side of the ego's line where it passes."""
     if thing.id not in view.index:
         return always(view, holds=False)
-    nearest = np.nan_to_num(view.of_pair("closest_s", ego, thing.id))
+    nearest = filled(view.of_pair("closest_s", ego, thing.id), 0.0)
     step = view.step_of(nearest)
     aside = seen(box_at(view, ego, step), box_at(view, thing.id, step)).y
     return Judged(to_side(side, aside), aside, nearest)

@@ -11,6 +11,7 @@ import numpy as np
 from scegen.claims.boxes import contact, free, seen
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, best_of, within
 from scegen.claims.near_miss import near_miss
+from scegen.claims.series import filled
 from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import Told, amount
 from scegen.claims.tolerances import PERCENT
@@ -86,7 +87,7 @@ def _touch(told: Told, outcome: Outcome, view: View) -> Judged:
     when = np.full(view.count, np.nan)
     for pair in pairs_of(told, outcome, view):
         time_s = view.of_pair("contact_s", *pair)
-        apart = np.nan_to_num(view.of_pair("distance_m", *pair), nan=NEVER)
+        apart = filled(view.of_pair("distance_m", *pair), NEVER)
         slow = np.clip(_MET_MPS - view.of_pair("impact_mps", *pair), 0.0, None)
         margin = np.maximum(margin, -np.where(np.isnan(time_s), apart, slow))
         when = np.fmin(when, time_s)
@@ -172,7 +173,7 @@ def _untouched(
         free = np.full(view.count, NEVER)
         return Judged(free, free, np.full(view.count, np.nan))
     time_s = view.summary.contact_s[:, measured]
-    apart = np.nan_to_num(view.summary.distance_m[:, measured], nan=NEVER)
+    apart = filled(view.summary.distance_m[:, measured], NEVER)
     if over_s is not None:
         ends = np.stack([np.minimum(over_s[a], over_s[b]) for a, b in known], axis=1)
         excused = time_s > ends

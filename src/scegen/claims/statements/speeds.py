@@ -14,7 +14,7 @@ from scegen.claims.arms import arms_of
 from scegen.claims.boxes import boxes
 from scegen.claims.claim import Claim, ClaimKind, Judged, Test, within
 from scegen.claims.moments import act_begins, speed_runs
-from scegen.claims.series import at, chosen, first, greatest
+from scegen.claims.series import at, chosen, filled, first, greatest
 from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import KPH, Told, speed_words
 from scegen.claims.tolerances import SPEED_MPS, STANDS_MPS
@@ -177,7 +177,7 @@ def _closest(told: Told, view: View, name: str) -> Ints:
     things = [other for other in view.index if other != name]
     found = [(np.full(view.count, np.inf), np.full(view.count, np.nan))]
     for other in sorted(told.concerned_by(name)) or others or things:
-        apart = np.nan_to_num(view.of_pair("distance_m", name, other), nan=np.inf)
+        apart = filled(view.of_pair("distance_m", name, other), np.inf)
         found.append((apart, view.of_pair("closest_s", name, other)))
     _, nearest = chosen(found, np.argmin)
     return np.where(np.isfinite(nearest), view.step_of(nearest), view.last_step)
