@@ -67,8 +67,10 @@ def _likewise(events: list[Event], tokens: list[Token]) -> None:
     for k, event in enumerate(events):
         does = tokens[event.i].low in word_list("does")
         so = event.i > 0 and tokens[event.i - 1].low in {"so", "as"}
-        if does and so and isinstance(event.object, Mention):  # "and so does the van"
-            event.name, event.subject, event.object = "likewise", [event.object], None
+        said = [m for m in (event.object, *event.subject) if isinstance(m, Mention)]
+        if does and so and said[:1] and said[0].i > event.i:  # "and so does the van opposite"
+            event.name, event.subject, event.object = "likewise", said[:1], None
+            said[0].mods, event.mods = [*said[0].mods, *event.dirs], []
         later = any(
             (m.cat, m.value) == ("quantity", "time") and _in_order(tokens, m) for m in event.mods
         )
