@@ -255,7 +255,8 @@ def _opens_with(figure: Figure) -> list[Entity]:
 
     So it is in "60 km/h is the speed of both".
     """
-    text, start = figure.text, figure.start
+    text = figure.text  # behind a title, if there is one
+    start = max([figure.start, *(c.j for c in text.chunks if c.value == ":" and c.i < figure.i)])
     before = [c for c in text.chunks if start <= c.i < figure.i]
     fronted = {id(p.target) for m in text.mentions for p in m.pps if p.fronted}  # "behind a bus"
     free = (m for m in text.mentions if id(m) not in fronted)
