@@ -79,3 +79,21 @@ def test_who_waits_at_its_line_is_not_met_by_whom_it_does_not_touch():
         }
     )
     assert enumerate_scenarios(functional).scenarios
+
+
+@pytest.mark.parametrize(
+    ("own", "theirs", "where"), [("right", "left", "right"), ("straight", "right", "opposite")]
+)
+def test_ways_that_are_told_and_do_not_meet_are_kept_where_nobody_touches(own, theirs, where):
+    functional = FunctionalScenario.model_validate(
+        {
+            "description": "made for a test",
+            "junction": {"kind": "four_way", "arms": 4},
+            "participants": [
+                {"id": "ego", "role": "ego", "maneuvers": [own]},
+                {"id": "bus", "kind": "bus", "approaches": [where], "maneuvers": [theirs]},
+            ],
+            "outcome": {"kind": "avoided", "between": ["ego", "bus"]},
+        }
+    )
+    assert enumerate_scenarios(functional).scenarios

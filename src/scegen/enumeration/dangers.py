@@ -12,7 +12,7 @@ from scegen.scenario.acts import LEAVING, ActKind
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.hazards import HAZARDS, Case, RoadRule
 from scegen.scenario.outcome import OutcomeKind
-from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind, Maneuver
+from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind, Maneuver, Role
 
 _RANKED = frozenset({Control.YIELD, Control.STOP, Control.PRIORITY_TO_RIGHT})
 """Where the ways alone tell who has right of way, and the text tells that they do."""
@@ -117,9 +117,12 @@ def _say_outcome(out: Stated, functional: FunctionalScenario, sides: Sequence[Pa
     if not pairs or any(not listed.issuperset(pair) for pair in pairs):
         return  # what stands beside the lanes or lies in them is met by whoever comes along
     held = {v.id for v in functional.vehicles if v.maneuvers == {Maneuver.STAY}}
+    placed = [v for v in functional.vehicles if len(v.approaches) == 1 or v.role is Role.EGO]
+    told = {v.id for v in placed if len(v.maneuvers) == 1}
+    lets_by = all(held & {*pair} or told.issuperset(pair) for pair in pairs)
     crossing = functional.junction.kind is not JunctionKind.STRAIGHT
-    if outcome.kind is OutcomeKind.AVOIDED and crossing and all(held & {*pair} for pair in pairs):
-        return  # who waits at its line lets everybody by
+    if outcome.kind is OutcomeKind.AVOIDED and crossing and lets_by:
+        return  # who waits at its line lets everybody by; ways that are told may not meet
     either = " or ".join(f"{one} and {other}" for one, other in pairs)
     number = out.number(f"outcome {outcome.kind} (between {either})")
     out.facts.append(p.Outcome(number))

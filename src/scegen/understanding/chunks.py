@@ -52,6 +52,11 @@ class NounPhrase:
         """Which preposition governs it; empty where none does."""
         return self.prep.value if self.prep is not None else ""
 
+    @property
+    def owned_by(self) -> list[Any]:
+        """Whose it is: those whom its owner means."""
+        return list(self.owner.entities) if self.owner is not None else []
+
     def opened_by(self, value: str) -> bool:
         """Whether its first word is of that value ("def": the article)."""
         return bool(self.mods) and self.mods[0].value == value

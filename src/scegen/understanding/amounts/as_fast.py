@@ -63,7 +63,9 @@ def _alike(text: Telling) -> None:
     if span is not None:
         begin, end = text.bounds(span[0])
         near, after = text.spoken_of(begin, span[0])[::-1], text.spoken_of(span[1], end)
-        named = after + near if text.tokens[span[1] - 1].low == "as" else near + after
+        last = text.tokens[span[1] - 1].low
+        near = [] if last == "like" and not after else near  # "like a madman"
+        named = after + near if last == "as" else near + after
         who = list(dict.fromkeys(e for e in named if not e.parked))
         before = reversed(text.spoken_of(0, span[0]))
         known = [e for e in (*who, *before) if e.speed is not None]

@@ -188,7 +188,7 @@ def _into(doing: Doing, scene: Clause, context: Context) -> None:
     event = scene.event
     lanes = [g for g in event.nouns("into", "to", "for") if isinstance(g, Place)]
     lanes = [g for g in lanes if g.kind in {"lane", "path"}]
-    owners = [e for g in lanes if g.owner is not None for e in g.owner.entities]
+    owners = [e for g in lanes for e in g.owned_by]
     out = "out" in context.lows(event.i, event.j)  # "cuts out in front of"
     near = [p for p in event.pps if p.word.cat == "locus" and p.value in _ALONG and not out]
     # "boxed in behind a van, it …", "so does the car behind it": where one is at first

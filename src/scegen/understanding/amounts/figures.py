@@ -156,7 +156,7 @@ class Figure(Clause):
                 if chunk.has("possessive", "first_person"):
                     return [self.text.ego]  # "…, our speed 85 km/h"
                 if chunk.owner is not None:
-                    return list(chunk.owner.entities)
+                    return chunk.owned_by
                 continue  # "the ego's speed of 90 km/h"
             if self.role == "lateral_offset" and (isinstance(chunk, Thing) or chunk.value == "by"):
                 continue  # "a van offset by 0.5 m"

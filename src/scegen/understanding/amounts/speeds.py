@@ -7,7 +7,7 @@ from scegen.scenario.bodies import BODIES
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
 from scegen.understanding.amounts.figures import Figure
-from scegen.understanding.chunks import Mention, Place
+from scegen.understanding.chunks import Event, Mention
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import STILL, Amount, Doing
 from scegen.understanding.lexicon import word_list
@@ -255,12 +255,13 @@ def _opens_with(figure: Figure) -> list[Entity]:
 
     So it is in "60 km/h is the speed of both".
     """
-    text, start = figure.text, figure.start
+    text = figure.text  # behind a title, if there is one
+    start = max([figure.start, *(c.j for c in text.chunks if c.value == ":" and c.i < figure.i)])
     before = [c for c in text.chunks if start <= c.i < figure.i]
     fronted = {id(p.target) for m in text.mentions for p in m.pps if p.fronted}  # "behind a bus"
     free = (m for m in text.mentions if id(m) not in fronted)
     who = next((m for m in free if start <= m.i < figure.end), None)
-    if who is None or not all(isinstance(c, Term | Place) for c in before):
+    if who is None or any(isinstance(c, Mention | Event) for c in before):
         return []
     named = text.low(figure.j, who.i).split()
     if named[:1] == ["is"] and named[-1:] == ["of"] and set(named) & word_list("rates"):

@@ -90,8 +90,7 @@ class Telling:
         """Whom a noun means, or whose part it is ("the ego's front")."""
         if noun is None:
             return []
-        whom = noun if isinstance(noun, Mention) else noun.owner
-        return list(whom.entities) if whom is not None else []
+        return list(noun.entities) if isinstance(noun, Mention) else noun.owned_by
 
     def add(self, doing: Doing) -> Doing:
         """One more act, at its place in the order of the text."""

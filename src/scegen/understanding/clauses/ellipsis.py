@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from itertools import pairwise, takewhile
+from itertools import islice, pairwise, takewhile
 
 from scegen.scenario.acts import ActKind
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep
@@ -67,8 +67,10 @@ def _likewise(events: list[Event], tokens: list[Token]) -> None:
     for k, event in enumerate(events):
         does = tokens[event.i].low in word_list("does")
         so = event.i > 0 and tokens[event.i - 1].low in {"so", "as"}
-        if does and so and isinstance(event.object, Mention):  # "and so does the van"
-            event.name, event.subject, event.object = "likewise", [event.object], None
+        said = [m for m in (event.object, *event.subject) if isinstance(m, Mention)]
+        if does and so and said[:1] and said[0].i > event.i:  # "and so does the van opposite"
+            event.name, event.subject, event.object = "likewise", said[:1], None
+            said[0].mods, event.mods = [*said[0].mods, *event.dirs], []
         later = any(
             (m.cat, m.value) == ("quantity", "time") and _in_order(tokens, m) for m in event.mods
         )
@@ -76,8 +78,7 @@ def _likewise(events: list[Event], tokens: list[Token]) -> None:
             event.name = "likewise"  # "a van sets off and the ego follows 1 s later"
         if event.name == "light" and does and _in_turn(event, tokens):
             event.name = "likewise"
-        if event.nominal and "same" in {m.value for m in event.dirs}:
-            _the_same_way(event, events)
+        _the_same_way(event, events, tokens)
         if event.name != "likewise":
             continue
         who = _called(event)
@@ -99,12 +100,14 @@ def _called(event: Event) -> set[int]:
     return {-1 if m.is_ego else id(m) for m in event.subject}
 
 
-def _the_same_way(event: Event, events: list[Event]) -> None:
-    """``turns right, behind a car that makes the same turn``: to the right, too."""
-    ways = (m for e in events if e.name == event.name for m in e.dirs if m.value in WAYS)
-    way = next(ways, None)
-    if way is not None:
-        event.mods = [*(m for m in event.mods if m.value != "same"), way]
+def _the_same_way(event: Event, events: list[Event], tokens: list[Token]) -> None:
+    """``turns right, and a car makes the same turn``, ``turns with it``, ``also turns``: too."""
+    also = {t.low for t in tokens[max(0, event.i - 1) : event.i]} & word_list("likewise")
+    also |= {p.value for p in event.pps if p.who is not None} & {"with"}
+    same = event.nominal and "same" in {m.value for m in event.dirs}
+    if same or (also and event.name == "turn" and not event.dirs):
+        ways = (m for e in events if e.name == event.name for m in e.dirs if m.value in WAYS)
+        event.mods = [*(m for m in event.mods if m.value != "same"), *islice(ways, 1)]
 
 
 def _in_turn(event: Event, tokens: list[Token]) -> bool:

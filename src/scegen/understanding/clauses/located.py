@@ -128,14 +128,15 @@ def opens_clause(state: State) -> bool:
     joins = {"conj", "sub", ","} & state.between and "or" not in state.between
     inserted = {"conj", ","} <= state.between  # "a child and, behind the child, a bus"
     listed = "conj" in state.between
-    complete = state.candidate_done or bool(state.events) or state.being is not None
+    waits = state.candidate is not None and not state.candidate_done  # for its verb
+    complete = not waits or bool(state.events) or state.being is not None
     if not begins and not (joins and (inserted or complete)):
         return False
     chunks = state.chunks
     m = _phrase_end(state.k, chunks)
     if m is None:
         return False
-    while _word_of(chunks, m, GOVERNING) and (further := _phrase_end(m, chunks)) is not None:
+    while cat_at(chunks, m) in GOVERNING and (further := _phrase_end(m, chunks)) is not None:
         m = further  # "in the left lane beside the ego a van drives"
     # or in brackets, "ahead of the ego (40 km/h) a van", or: "behind a bus that is slow, the ego"
     rest = range(m, sentence_end(chunks, m))
@@ -148,7 +149,7 @@ def opens_clause(state: State) -> bool:
             return False
         m = behind_insertion(chunks, m + 1)
     inverted = _stands_before_subject(chunks, m)
-    m += _word_of(chunks, m, frozenset({"aux", "copy"})) or inverted
+    m += cat_at(chunks, m) in {"aux", "copy"} or inverted
     # "50 m ahead of the ego lies a pedestrian crossing"
     return isinstance(chunk_at(chunks, m), NounPhrase if inverted else Mention)
 
@@ -159,18 +160,13 @@ def _stands_before_subject(chunks: list[Chunk], m: int) -> bool:
     return finite and isinstance(verb, Event) and verb.name in word_list("before_their_subject")
 
 
-def _word_of(chunks: list[Chunk], m: int, classes: frozenset[str]) -> bool:
-    chunk = chunk_at(chunks, m)
-    return chunk.cat in classes
-
-
 def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
     """Index after a phrase of place that begins at chunk ``k``; None if none does."""
     first = chunks[k]
     m = k + 1
     locus = first.cat == "locus"
-    while _word_of(chunks, m, GOVERNING):
-        locus |= _word_of(chunks, m, frozenset({"locus"}))
+    while cat_at(chunks, m) in GOVERNING:
+        locus |= cat_at(chunks, m) == "locus"
         m += 1
     target = chunk_at(chunks, m)
     placed = isinstance(target, Place) and (

@@ -66,7 +66,7 @@ def _lights(clauses: list[Clause], chunks: list[Chunk], context: Context) -> Ite
         told = [c for c in clauses if any(p is place for p in c.places())]
         change = next((c for c in told if _changes(c)), None)
         faced = [e for c in told if c.event.name == "encounter" for e in c.actors]
-        whose = _for(chunks, k, context) or _owner(place)
+        whose = _for(chunks, k, context) or place.owned_by
         if change is not None:
             yield _Light(place, colour, change.actors or whose, change)
         elif faced and colour is AtLight.RED:
@@ -89,10 +89,6 @@ def _changes(clause: Clause) -> bool:
     return told and (not clause.actors or event.name == "inert")
 
 
-def _owner(place: Place) -> list[Entity]:
-    return list(place.owner.entities) if place.owner is not None else []
-
-
 def _for(chunks: list[Chunk], k: int, context: Context) -> list[Entity]:
     """``red for the ego``; ``for the cross street``: for those who come from the side."""
     noun = chunk_at(chunks, k + 2)
@@ -111,7 +107,7 @@ def _before(chunks: list[Chunk]) -> list[Entity]:
         if isinstance(chunk, Mention):
             return list(chunk.entities)
         if isinstance(chunk, Place) and chunk.owner is not None:
-            return _owner(chunk)
+            return chunk.owned_by
         if isinstance(chunk, Event) or (chunk.value in BOUNDARIES):
             break
     return []
@@ -120,13 +116,14 @@ def _before(chunks: list[Chunk]) -> list[Entity]:
 def _runs(light: _Light, clauses: list[Clause], context: Context) -> bool:
     """Finds who goes although the light is red: whose it is, or who is said to do so in spite."""
     at = light.place.i
-    driven = [c for c in clauses if c.drivers and not c.event.nominal]
-    own = [c for c in driven if c.event.i > at and any(e in light.whose for e in c.drivers)]
-    if any(c.event.name in _HALTING and not c.event.negated for c in own):
+    told = [c for c in clauses if c.drivers and not c.event.nominal]
+    if light.whose:
+        told = [c for c in told if any(e in light.whose for e in c.drivers)]
+    later = [c for c in told if c.event.i > at and light.whose]
+    if any(c.event.name in _HALTING and not c.event.negated for c in later):
         return False
-    found = next((c for c in own if _goes(c)), None)
-    if found is None and not light.whose:
-        found = _in_spite(at, [c for c in driven if _goes(c)], context)
+    found = next((c for c in later if _goes(c)), None)
+    found = found or _in_spite(at, [c for c in told if _goes(c)], context)
     if found is not None:
         words = _joined(found.event, light.place)
         context.draft.hazard(HazardKind.RED_LIGHT_RUNNING, words, found.drivers)
@@ -144,9 +141,10 @@ def _in_spite(at: int, going: list[Clause], context: Context) -> Clause | None:
     later = [c for c in going if c.event.i > at]
     marks = [k for k in range(begins, at) if low[k] in word_list("conceding") - {"in"}]
     if marks and not any(marks[-1] < c.event.i < at for c in going):
-        fronted = marks[-1] == begins or low[marks[-1] - 1] in {",", "even"}
-        earlier = [c for c in going if begins <= c.event.i < marks[-1]]
-        return next(iter(later if fronted else reversed(earlier)), None)
+        opens = marks[-1] - (low[marks[-1] - 1] == "even")
+        fronted = opens == begins or low[opens - 1] == ","
+        earlier = [c for c in going if begins <= c.event.i < opens]
+        return next(iter([*(later if fronted else []), *reversed(earlier)]), None)
     return next((c for c in later if word_list("still") & set(low[at : c.event.i])), None)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES, GOVERNING, cat_at, chunk_at, value_at
 from scegen.understanding.words.terms import Term
@@ -65,7 +65,7 @@ def which_is_it(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     "into a road. A boy is crossing the road".
     """
     found: list[Chunk] = []
-    known: Mention | None = None
+    known: Mention | Thing | None = None
     place: Place | None = None
     crossed: Place | None = None
     for k, chunk in enumerate(chunks):
@@ -76,8 +76,10 @@ def which_is_it(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         its = tokens[chunk.i].low in _WHICH and isinstance(chunk_at(chunks, k + 1), Mention)
         led = value_at(found, len(found) - 1)  # "from which"; "across which", of one turned into
         it: Chunk | None = None
-        if its and locus and known is not None and value_at(found, opens - 1) == ",":
-            it = Mention(chunk.i, chunk.j, [], None, pronoun="it", same_as=known)
+        last = chunk_at(found, opens - 1)
+        if its and locus and known is not None and (last is known or last.value == ","):
+            same = known if isinstance(known, Mention) else None
+            it = Mention(chunk.i, chunk.j, [], None, pronoun="it", same_as=same)
         elif its and place is not None and (led == "from" or (place.arm and led == "in")):
             it = replace(place, i=chunk.i, j=chunk.j)
         if it is not None:
@@ -90,7 +92,7 @@ def which_is_it(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             crossed = place if isinstance(chunk_at(chunks, k + 1), Mention) else None
             found += [] if crossed is place else [replace(place, i=chunk.i, j=chunk.j)]
             continue
-        known = chunk if isinstance(chunk, Mention) else known
+        known = chunk if isinstance(chunk, Mention | Thing) else known
         place = chunk if isinstance(chunk, Place) else None if chunk is known else place
         found.append(chunk)
         if crossed is not None and isinstance(chunk, Event):

@@ -44,7 +44,7 @@ def owners(lane: Place | None, clause: Clause, context: Context) -> list[Entity]
     if lane is None:
         return []
     if lane.owner is not None:
-        return list(lane.owner.entities)
+        return lane.owned_by
     kept = any(m.value == "same" for m in lane.mods)
     others = [e for e in context.draft.entities if e.moving_vehicle and e not in clause.actors]
     named = [d for d in lane.dirs if d in SIDES]
@@ -60,8 +60,7 @@ def _head_on(clause: Clause, place: Place | None, context: Context) -> bool:
     if place is None or not owners(place, clause, context):
         return False
     words = context.tokens
-    egos = place.has("possessive", "first_person")
-    egos = egos or (place.owner is not None and any(e.ego for e in place.owner.entities))
+    egos = place.has("possessive", "first_person") or any(e.ego for e in place.owned_by)
     oncoming = any(context.oncoming(e) and not e.ego for e in clause.drivers)
     if place.kind == "side" and not place.dirs:  # "comes onto its side", "ends up on my side"
         entered = place is clause.event.object and words[clause.event.j - 1].low == "onto"

@@ -58,7 +58,7 @@ def driven_up_to(clause: Clause, context: Context) -> list[Entity]:
                 found += whom.entities
     ends = clause.places()
     owned = [c for c in ends if "rear" in c.dirs or (rear and c is event.object)]
-    found += [e for c in owned if c.owner is not None for e in c.owner.entities]
+    found += [e for c in owned for e in c.owned_by]
     its = any(_its(c, event) for c in ends)
     its = its or (_rear_inside(event, context) and not event.passive)
     if rear and not found and its:
@@ -138,12 +138,12 @@ def goal_of_contact(clause: Clause, context: Context) -> NounPhrase | None:
     opening = {"into", *(["in"] if own or event.lemma in word_list("ending_up") else [])}
     if event.name not in {"turn", "sharp_turn"}:  # "turns left against oncoming traffic"
         opening.add("against")
-    goals: list[object] = [p.target for p in event.pps if tokens[p.word.i].low in opening]
+    preps = [p for p in event.pps if p.word.cat == "prep"]  # not "in front of the bus"
+    goals: list[object] = [p.target for p in preps if tokens[p.word.i].low in opening]
     goals += [event.object] if tokens[event.j - 1].low == "into" else []
-    nouns = (g for g in goals if isinstance(g, NounPhrase))
     # "bores into its side": somebody's part, not a lane or a car park
-    if event.name == "unknown" and not own:
-        nouns = (g for g in nouns if isinstance(g, Place))
+    kind = Place if event.name == "unknown" and not own else NounPhrase
+    nouns = (g for g in goals if isinstance(g, kind))
     return next((g for g in nouns if _touched(g, clause, context)), None)
 
 

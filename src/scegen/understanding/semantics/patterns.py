@@ -82,9 +82,7 @@ _FILTERS: dict[str, NounTest] = {
     "another": lambda n, _: any(e.is_vehicle and not e.ego for e in n.entities),
     "owned": lambda n, _: n.owner is not None,
     "its": lambda n, _: n.has("possessive"),
-    "egos": lambda n, _: (
-        n.has("possessive", "first_person") or (n.owner and any(e.ego for e in n.owner.entities))
-    ),
+    "egos": lambda n, _: n.has("possessive", "first_person") or any(e.ego for e in n.owned_by),
     "other": _said("other"),
     "strip": _head("stands_on"),
     "bay": _head("stands_on", BAYS),

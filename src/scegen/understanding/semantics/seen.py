@@ -111,8 +111,7 @@ def _to_the_other_side(site: Site) -> Basis:
 def _in_the_egos_lane(entity: Entity, site: Site) -> None:
     """``a truck drives in the ego's lane``: one of those before or behind it."""
     lane = site.place
-    owner = lane.owner.entities if lane.owner is not None else []
-    ours = lane.has("possessive", "first_person") or any(e.ego for e in owner)
+    ours = lane.has("possessive", "first_person") or any(e.ego for e in lane.owned_by)
     if ours and lane.kind == "lane" and site.word in {"in", "on", "of"}:
         entity.in_egos_lane = entity.in_egos_lane or site.basis
 

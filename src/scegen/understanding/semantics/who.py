@@ -131,7 +131,7 @@ def _owners_of(kind: str) -> Who:
         named = [p for p in clause.places() if p.kind == kind]
         other = any("opposite" in p.dirs for p in named)
         theirs = [e for e in context.draft.entities if other and context.oncoming(e)]
-        return [e for p in named if p.owner is not None for e in p.owner.entities] or theirs
+        return [e for p in named for e in p.owned_by] or theirs
 
     return owners
 
@@ -156,8 +156,8 @@ def _in_phrases(pattern: str) -> Who:
 
 def _hiders(clause: Clause, context: Context) -> list[Entity]:
     parts = [p.place for p in clause.event.pps if p.value in {"behind", "by"} and p.place]
-    owners = [part.owner for part in parts if part.owner is not None]  # "by the front of a van"
-    behind = [*_BEHIND(clause, context), *(e for owner in owners for e in owner.entities)]
+    owners = [e for part in parts for e in part.owned_by]  # "by the front of a van"
+    behind = [*_BEHIND(clause, context), *owners]
     own = [] if clause.event.passive or clause.event.object is None else clause.actors
     return [e for e in own if e.is_vehicle and not e.ego] + [e for e in behind if not e.ego]
 
@@ -176,10 +176,8 @@ NAMED: dict[str, Who] = {
     "owners": lambda clause, c: lanes.owners(lanes.into_lane(clause.event), clause, c),
     "path_owners": _owners_of("path"),
     "lane_owners": _owners_of("lane"),
-    "hit": lambda clause, _: [
-        *clause.targets,
-        *getattr(getattr(clause.event.object, "owner", None), "entities", []),
-    ],
+    "flank_owners": _owners_of("flank"),
+    "hit": lambda clause, _: [*clause.targets, *getattr(clause.event.object, "owned_by", [])],
     # out of a side road: who overtakes comes out of its lane
     "pullers": lambda clause, _: [
         e for e in clause.drivers if Maneuver.OVERTAKE not in e.maneuvers

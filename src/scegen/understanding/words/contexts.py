@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
+from itertools import takewhile
 from typing import Any
 
 from scegen.understanding.lexicon import load_contexts
@@ -120,12 +121,8 @@ class _Row:
 
 
 def _ago(item: _Item, terms: list[Term], tokens: list[Token]) -> bool:
-    for term in reversed(terms):
-        if term.value in {".", ";"}:
-            return False
-        if item.fits_term(term, tokens):
-            return True
-    return False
+    since = takewhile(lambda term: term.value not in {".", ";"}, reversed(terms))
+    return any(item.fits_term(term, tokens) for term in since)
 
 
 @lru_cache(maxsize=1)
