@@ -289,3 +289,10 @@ def test_an_obstacle_endangers_who_passes_close():
     far = view((EGO, OTHER), (line(0, 0, 0), line(60, 8.0, 0)), (steady(10), steady(0)))
     assert happens("obstacle", near).happened
     assert not happens("obstacle", far).happened
+
+
+@pytest.mark.parametrize(("aside_m", "expected"), [(0.0, True), (8.0, False)])
+def test_an_obstacle_endangers_who_comes_to_rest_before_it(aside_m, expected):
+    halts = ramp(10, 0, 5.0)
+    made = view((EGO, OTHER), (line(0, 0, 0), line(60, aside_m, 0)), (halts, 0.0 * halts))
+    assert happens("obstacle", made).happened is expected

@@ -85,7 +85,7 @@ def brake_for(traffic: Traffic, contact: Contact, loose: SpeedChange | None = No
         who.steps = [*rest, timed(replace(answer, rate_mps2=rate), begins_s)]
 
     rests_m = traffic.rests_m(contact, answer.act)
-    leaves, exact = _leaving(traffic, contact, rests_m), rests_m > -inf
+    exact = rests_m > -inf
     if own is not None and exact:  # as soft as it is told, if that is enough
         rates = sorted({own.rate_mps2, *(rate for rate in rates if rate > own.rate_mps2)})
     # Braking before one speeds up by an act of one's own would be undone by it.
@@ -93,6 +93,7 @@ def brake_for(traffic: Traffic, contact: Contact, loose: SpeedChange | None = No
     found = None
     for sees_s in _sees_s(traffic, contact):
         earliest = max([sees_s, *gains, 0.0])
+        leaves = _leaving(traffic, contact, rests_m, min(earliest, contact.time_s))
         found = found or brake_late(leaves, contact.time_s, rates, earliest, brake, exact=exact)
     if found is None:
         who.steps = before
@@ -104,12 +105,14 @@ def brake_for(traffic: Traffic, contact: Contact, loose: SpeedChange | None = No
     return True
 
 
-def _leaving(traffic: Traffic, contact: Contact, rests_m: float) -> Callable[[float], bool]:
-    """Whether one leaves so much room to another, and comes to rest no nearer than is said."""
+def _leaving(
+    traffic: Traffic, contact: Contact, rests_m: float, since_s: float
+) -> Callable[[float], bool]:
+    """Whether one leaves so much room since then, and comes to rest no nearer than is said."""
     last = traffic.times_s[-1:]
 
     def leaves(room_m: float) -> bool:
-        if not leaves_room(traffic, contact, room_m):
+        if not leaves_room(traffic, contact, room_m, since_s):
             return False
         ends = (traffic.track(name, last)[0] for name in contact[1:])
         return rests_m == -inf or not gap_m(*ends)[0] < rests_m - _SAME_M

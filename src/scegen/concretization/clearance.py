@@ -98,7 +98,7 @@ def _lines(one: DriveDraft, other: DriveDraft) -> tuple[Line, ...]:
         (ground.enter_m + a.front_m, ground.other_enters_m + b.front_m)
         for ground in grounds(one.path, a, other.path, b)
     ]
-    ends_m = one.exit_s_m + _BEYOND_M
+    ends_m = one.laid.path_s_m(one.laid.turning_ends_m) + _BEYOND_M
     driven = one.path, a, one.course, other.path, b, other.course
     return _along(*driven, tuple(begins), ends_m)
 

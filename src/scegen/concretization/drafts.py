@@ -149,11 +149,6 @@ class DriveDraft:
         plain = self.laid.turning_ends_m <= begins
         return any(plain or change.position_m < begins for change in self.lane_changes)
 
-    @property
-    def exit_s_m(self) -> float:
-        """Arc length at the inner end of the exit arm."""
-        return self.laid.path_s_m(self.laid.turning_ends_m)
-
     def motion(self, start_m: float = 0.0) -> DriveMotion:
         """The drive as written to files."""
         laid = self.laid_

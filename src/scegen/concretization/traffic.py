@@ -144,9 +144,10 @@ def goes_along(traffic: Traffic, contact: Contact, at_s: Array) -> bool:
     return float(same_way(own, other)[0]) > _ALONG
 
 
-def leaves_room(traffic: Traffic, contact: Contact, room_m: float) -> bool:
-    """Whether one comes no nearer to another; while it drives, if that one comes on."""
-    (one, speed), (other, _) = (traffic.track(name, traffic.times_s) for name in contact[1:])
+def leaves_room(traffic: Traffic, contact: Contact, room_m: float, since_s: float = 0.0) -> bool:
+    """Whether one comes no nearer to another since then; while it drives, if that one comes on."""
+    times_s = traffic.times_s[traffic.times_s >= since_s]
+    (one, speed), (other, _) = (traffic.track(name, times_s) for name in contact[1:])
     comes_on = contact.other in traffic.backs & traffic.movers.keys()
     at_rest = (speed <= 0.0) & comes_on
     return bool(np.all((apart(one, other, room_m) >= room_m) | at_rest))

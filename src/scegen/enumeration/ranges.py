@@ -115,7 +115,9 @@ def offset_range(
     """
     if isinstance(other, Standing):
         return None
-    if kind is ConflictKind.NONE and not _share_a_hazard(functional, other.participant):
+    two = {other.participant, functional.ego.id}
+    concerned = any(two <= {*h.by, *h.to} for h in functional.hazards)
+    if kind is ConflictKind.NONE and not concerned:
         return None
     return _parameter(f"{other.participant}.arrival_offset_s", _offset(ego, other))
 
@@ -128,11 +130,6 @@ def _offset(ego: Assignment, other: Assignment) -> Range:
     if ego.rank == other.rank:
         return BESIDE_OFFSET_S
     return AHEAD_OFFSET_S if other.rank < ego.rank else BEHIND_OFFSET_S
-
-
-def _share_a_hazard(functional: FunctionalScenario, name: str) -> bool:
-    ego = functional.ego.id
-    return any({name, ego} <= {*h.by, *h.to} for h in functional.hazards)
 
 
 def _parameter(name: str, chosen: Range) -> ParameterRange:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from gaps import gap_m
-from roads import AHEAD, BEHIND, LEFT_LANE, SCENARIOS, ego, one, road
+from roads import AHEAD, BEHIND, LEFT_LANE, SCENARIOS, STAY, ego, one, road
 from told import act, apart
 
 from scegen.concretization.along.compose import lay
@@ -102,3 +102,32 @@ def test_who_comes_over_is_ahead_of_the_one_into_whose_lane_it_comes():
     lay(told)
     moment = told.begins_s["changes"]
     assert told.ego.x_m(moment) > told.runners["fast"].x_m(moment)
+
+
+@pytest.mark.parametrize("lanes", [([1], [2]), ([2], [1])])
+def test_two_who_stand_side_by_side_stand_level(lanes):
+    own, other = lanes
+    people = [
+        ego(60),
+        one("here", "van", AHEAD, STAY, lanes=own),
+        one("there", "car", [], STAY, lanes=other),
+    ]
+    beside = {"participant": "there", "reference": "here", "approaches": ["adjacent"]}
+    told = story(road(people, relations=[beside]))
+    lay(told)
+    here, there = told.runners["here"], told.runners["there"]
+    assert here.lane != there.lane
+    assert here.middle_m(0.0) == pytest.approx(there.middle_m(0.0))
+
+
+def test_one_who_drives_before_the_ego_comes_upon_who_stands_there():
+    people = [
+        ego(60),
+        one("leads", "car", AHEAD, speed=60),
+        one("stands", "truck", AHEAD, STAY),
+    ]
+    told = story(road(people, acts=[act("dodges", "leads", "swerve", side="left")]))
+    lay(told)
+    assert gap_m(told.runners["leads"], told.ego, 0.0) > 10.0
+    assert gap_m(told.runners["stands"], told.runners["leads"], 0.0) > 10.0
+    assert told.runners["stands"].at_m > told.runners["leads"].at_m

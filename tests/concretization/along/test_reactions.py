@@ -106,3 +106,16 @@ def test_who_brakes_where_it_is_said_does_so_as_hard_as_it_needs(gap):
     (step,) = story.ego.steps
     assert step.rate_mps2 == pytest.approx((50 / 3.6) ** 2 / 2 / gap, rel=0.1)
     assert 0.3 < least_m(story, "ego", "van") < 1.2
+
+
+def test_who_has_been_passed_closely_brakes_no_sooner_than_it_has_to():
+    people = [ego(70), one("hurries", "car", BEHIND, ["overtake"], speed=90)]
+    acts = [
+        act("passes", "hurries", "overtake"),
+        act("returns", "hurries", "change_lane", side="right", into="ego"),
+        act("halts", "hurries", "brake", rate_mps2=5.0, when={"type": "after", "act": "returns"}),
+    ]
+    story = laid(road(people, acts=acts, hazards=[("overtaking", "hurries", "ego")]))
+    (step,) = story.ego.steps
+    assert step.begins_s > story.begins_s["halts"]
+    assert not list(contacts(traffic_of(story)))

@@ -196,8 +196,12 @@ def _place_as_usual(story: Story, name: str, order: dict[str, int], wider: float
 
 
 def _reference(story: Story, name: str, order: dict[str, int]) -> str:
-    """To whom a place is told: the next in its line, else the ego."""
+    """To whom a place is told: who it is beside, the next in its line, else the ego."""
     known = [n for n, r in story.runners.items() if r.at_m is not None]
+    for other in known:
+        beside = Approach.ADJACENT in words_between(story.functional, name, other)
+        if beside and other != story.ego.id:
+            return other
     names = list(story.runners)
     thing = story.things.get(name)
     if thing is not None and thing.in_way_of in known:

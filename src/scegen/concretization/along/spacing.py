@@ -49,13 +49,9 @@ def is_ahead(story: Story, who: str, other: str) -> bool:
             return sign
     if first.stands != second.stands:
         return first.stands
-    order = story.ranks()
-    if order[who] != order[other]:
-        return order[who] < order[other]
-    if story.ego.id in {who, other}:
-        return who != story.ego.id
-    names = list(story.runners)
-    return names.index(who) < names.index(other)
+    names, order, ego = list(story.runners), story.ranks(), story.ego.id
+    one, two = ((order[n], n == ego, names.index(n)) for n in (who, other))
+    return one < two
 
 
 def comes_in(mover: Runner, stays: Runner) -> Move | None:

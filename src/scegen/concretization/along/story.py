@@ -132,9 +132,11 @@ class Story(Tale):
         return any((d.participant, d.maneuver) == (name, maneuver) for d in self.logical.drives)
 
     def ranks(self) -> dict[str, int]:
-        """The order of those along the road in their direction, 0 = foremost; things before all."""
-        known = {a.participant: a for a in self.logical.assignments}
-        return {name: getattr(known.get(name), "rank", -1) for name in self.runners}
+        """The order along the road, foremost first; things, and who stands before the ego, lead."""
+        known, far = {a.participant: a for a in self.logical.assignments}, len(self.runners)
+        ranks = {name: getattr(known.get(name), "rank", -1) for name in self.runners}
+        met = {n for n, r in self.runners.items() if r.stands and ranks[n] < ranks[self.ego.id]}
+        return {name: rank - far * (name in met) for name, rank in ranks.items()}
 
     def driver(self, name: str) -> Driver:
         """Who drives somebody."""
