@@ -128,13 +128,20 @@ def _taken_up(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> 
             does = chunk.name in {"light", "likewise"} and tokens[chunk.i].low in word_list("does")
             after = chunk_at(chunks, k + 2) if denied else after
         verb = _verb_before(chunks[begin].i, events) if denied or does else None
-        if verb is None or not (after is NOTHING or _parts(after)) or does != _is_denied(verb):
+        if verb is None or not (after is NOTHING or _parts(after)):
             continue
-        clause = takewhile(lambda c: not _parts(c), reversed(chunks[:begin]))
+        clause = takewhile(lambda c: not _parts(c) and c.cat != "sub", reversed(chunks[:begin]))
         named = [c for c in clause if isinstance(c, Mention) and c.prep is None]
+        last = chunk_at(chunks, begin - 2)
+        if chunks[begin - 1].value == "," and isinstance(last, Mention) and last.same_as:
+            named = [last.same_as]  # "the follower, a van, does not"
+        opened = named and chunk_at(chunks, chunks.index(named[-1]) - 1).cat == "sub"
+        likewise = does and opened and named[-1].heads  # "brakes because the car ahead does"
+        if does != _is_denied(verb) and not likewise:
+            continue
         again = _again(verb, named[-1:] or verb.subject, chunks[begin].i, chunk.j)
         found.append(replace(again, negated=denied, modal=False))
-        owed = does or verb.modal or verb.link == "inf"
+        owed = (does and not likewise) or verb.modal or verb.link == "inf"
         if owed and not any(m.heads for m in named[-1:]):
             verb.name = "inert"  # what is said of it is said again
     return found
@@ -161,7 +168,7 @@ def _parts(chunk: Chunk) -> bool:
 
 
 def _verb_before(i: int, events: list[Event]) -> Event | None:
-    before = [e for e in events if e.j <= i and e.subject and not e.nominal]
+    before = [e for e in events if e.j <= i and e.subject and not e.nominal and e.lemma != "do"]
     return before[-1] if before else None
 
 

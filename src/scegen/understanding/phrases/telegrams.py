@@ -155,11 +155,13 @@ def _told_by_nobody(chunks: list[Chunk], k: int) -> bool:
         return not others and not any(isinstance(c, Event) for c in chunks[k:end])
     if not isinstance(verb, Event) or verb.nominal or following.value in {"by", "of"}:
         return False
-    if verb.form == "base":
+    egos = any(isinstance(c, Mention) and c.is_ego for c in chunks)
+    if verb.form == "base" or (verb.form == "s" and k == 0 and not egos):
         named = isinstance(following, NounPhrase) and following.mod(*_ARTICLES) is not None
         named = named or (isinstance(following, Mention) and following.pronoun is not None)
         placed = following.cat in {"prep", "locus", "dir"} or following.value == "length"
-        return verb.name in word_list("commanded") and (named or placed)
+        told = verb.form == "s" or verb.name in word_list("commanded")
+        return told and (named or placed)
     past = verb.form == "ing" if auxiliary else verb.form == "ed"
     past = past or (verb.form == "ing" and _whole_sentence(chunks))
     undergone = verb.name in _UNDERGONE and not isinstance(following, Mention)

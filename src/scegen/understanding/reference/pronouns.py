@@ -40,7 +40,7 @@ def of_pronoun(
         left = roster.besides(exclude)
         rest = roster.claim(1, exclude) or (left if len(left) == 1 else told)
         return rest or [roster.new(ParticipantKind.CAR, basis)]
-    if which == "ordinal" and (found := _ordinal(roster, mention)):
+    if which == "ordinal" and (found := _ordinal(roster, mention, exclude)):
         return found
     if which == "another" or (which == "ordinal" and mention.opened_by("indef")):
         return roster.further(exclude, basis)
@@ -58,7 +58,8 @@ def _together(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[E
     others = [e for e in roster.entities if not e.ego and e not in exclude]
     apart = mention.pronoun == "both" and not any(e.ego for e in roster.before + roster.subject)
     apart |= mention.pronoun == "they" and any("speaks" in e.named_by for e in roster.entities)
-    if apart and number is None and len(others) == _TWO:
+    speaks = mention.pronoun == "they" and roster.subject and "speaks" in roster.subject[0].named_by
+    if apart and number is None and (len(others) == _TWO or (speaks and others)):
         return others  # "a van is ahead of us, a bus behind us; they drive 60 km/h"
     meant = roster.together(exclude)
     if number is not None and count != len(meant):
@@ -149,13 +150,14 @@ def _new_driver(roster: Roster, mention: Mention) -> list[Entity]:
     return [roster.new(ParticipantKind.CAR, Basis(mention.i, mention.j))]
 
 
-def _ordinal(roster: Roster, mention: Mention) -> list[Entity]:
+def _ordinal(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Entity]:
     position = POSITIONS[mention.label or "first"]
     vehicles = [e for e in roster.entities if e.moving_vehicle and not e.ego]
     named = vehicles or roster.entities
     group = roster.groups[-1].members if roster.groups else named
     if mention.label in {"former", "latter"}:
-        two = roster.recent if len(roster.recent) > 1 else group
+        others = [e for e in roster.recent if e not in exclude]
+        two = others if len(others) > 1 else group  # "the ego follows a bus; a van passes the latter"
         group = list(two[-2:]) if position == 0 or not roster.pair else roster.pair
         roster.pair = group if position == 0 else []
     position += len(group) if position < 0 else 0
@@ -203,6 +205,7 @@ def _known_one(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[
     there = loci_of(mention) | {ENDS.get(d, d) for d in mention.dirs}
     placed = [e for e in others if e.loci & there]
     alone = bool(there) and len(others) == 1 and not others[0].loci
+    alone = alone and (roster.draft.ego is not None or others != roster.subject)  # "a car waits; …"
     return placed[-1:] or (others if alone else [])
 
 
