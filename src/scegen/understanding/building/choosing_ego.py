@@ -49,7 +49,9 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
         return last, Basis(reason="the text names no ego; this vehicle follows the other")
     afoot = [e for e in draft.entities if not e.is_vehicle]
     alone = len(candidates) == 1 == len(movers) and not afoot
-    sides = _SIDEWAYS if alone else _ALONG
+    whence = [p.approaches for e in candidates for p in draft.placements_of(e) if not p.reference]
+    alike = whence == [whence[0]] * len(movers) if whence and not afoot else False
+    sides = _SIDEWAYS if alone or alike else _ALONG  # "three cars come from the left"
     exposed = bool(afoot) or len(candidates) < len(movers)
     met = exposed and len(candidates) == 1 and _met(draft, candidates[0])
     sides = sides | {Approach.ADJACENT} if len(candidates) == 1 == len(movers) else sides
