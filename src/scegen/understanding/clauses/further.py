@@ -77,7 +77,7 @@ def partitive_before(state: State) -> Mention | None:
     """``four of them trucks``, ``one a bus``: the noun says what kind they are."""
     part, of, whole = (state.at(n) for n in (-3, -2, -1))
     if isinstance(whole, Mention) and whole.pronoun in word_list("parts"):
-        return whole
+        return None if whole.prep else whole  # "from behind the second a boy runs out"
     if not isinstance(part, Mention) or of.value != "of":
         return None
     named = isinstance(whole, Mention) and whole.pronoun == "they"

@@ -106,6 +106,7 @@ def _alike(one: Mention, counted: Mention, tokens: list[Token]) -> bool:
     return vehicles or counted.noun in {one.noun, "driver"}
 
 
+_WHOLE = frozenset({"all", "both", "neither", "nobody"})
 _EVERYWHERE = frozenset({"direction", "side", "exit", "leg", "road"})
 _A_PAIR = 2
 """Of two sides named, there may still be any number of vehicles."""
@@ -182,6 +183,10 @@ def each_of(chunks: list[Chunk]) -> list[Chunk]:
                     chunk.head = replace(chunk.head, form="base")  # "one of the lanes"
             elif part.pronoun == "one" and word == "from" and every:
                 del found[-2]
+        elif isinstance(chunk, Mention) and chunk.heads and isinstance(part, Mention):
+            if word == "of" and part.pronoun in _WHOLE:  # "neither of the vans stops"
+                none = part.pronoun not in {"all", "both"}
+                found[-2:] = [Term("neg", "not", part.i, part.j)] if none else []
         found.append(chunk)
     return found
 
