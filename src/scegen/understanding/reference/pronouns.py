@@ -115,7 +115,8 @@ def _single(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Ent
         options = (driving or running)[-1:] or options  # "a van is parked in its lane; it swerves"
     before = roster.before if len(roster.before) == 1 else []
     left = [e for e in (*before, *reversed(recent)) if e not in exclude]
-    return [e for e in options if e not in exclude] or left[:1]
+    other = _new_driver(roster, mention) if word in {"he", "she"} and not left else []
+    return [e for e in options if e not in exclude] or left[:1] or other  # "she brakes, he …"
 
 
 def _persons(
