@@ -100,7 +100,8 @@ def _single(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Ent
     options = _persons(roster, mention, [e for e in recent if e not in exclude], options)
     if word == "it" and any(_person(roster, e) for e in options):
         order = roster.recent
-        since = order[order.index(options[0]) + 1 :]
+        afoot = drives and not options[0].is_vehicle and options[0].kind not in ANIMALS
+        since = order if afoot else order[order.index(options[0]) + 1 :]  # "a man steps out; it …"
         others = [e for e in since if not _person(roster, e) and e not in exclude]
         # "a rider passes the ego as it turns"; "a child behind a parked car; it is hit"
         options = [e for e in others if drives or not e.still][-1:] or options
