@@ -182,7 +182,7 @@ def _plays(chunks: list[Chunk], k: int) -> bool:
     alone = ends(chunk_at(chunks, k + 2)) or value_at(chunks, k + 2) == ","
     if not (isinstance(role, Mention) and isinstance(actor, Mention) and alone):
         return False
-    if not role.is_ego or actor.is_ego or not ends(chunk_at(chunks, k - 2)):
+    if not (role.is_ego or role.label) or actor.is_ego or not ends(chunk_at(chunks, k - 2)):
         return False
     actor.same_as = role
     return True

@@ -132,7 +132,8 @@ def _persons(
     known = [e for e in known if e.kind not in ANIMALS] or known
     people = [e for e in known if _person(roster, e)]
     drivers = [e for e in known if "somebody" in e.named_by and e.is_vehicle]
-    if "drives" in mention.marks:
+    along = mention.prep is not None and mention.prep.cat == "locus"  # "the van behind him"
+    if "drives" in mention.marks or (along and drivers):
         people = drivers or [e for e in people if e.is_vehicle] or people
     elif "walks" in mention.marks:
         people = [e for e in people if not e.is_vehicle] or people
