@@ -116,6 +116,8 @@ def _single(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Ent
         options = (driving or running)[-1:] or options  # "a van is parked in its lane; it swerves"
     before = roster.before if len(roster.before) == 1 else []
     left = [e for e in (*before, *reversed(recent)) if e not in exclude]
+    people = [e for e in left if word == "it" and _person(roster, e) and e.kind not in ANIMALS]
+    left = [e for e in left if not (e in people or e.still)] or left  # "a man stops the ego; the van behind it"
     other = _new_driver(roster, mention) if word in {"he", "she"} and not left else []
     return [e for e in options if e not in exclude] or left[:1] or other  # "she brakes, he …"
 
