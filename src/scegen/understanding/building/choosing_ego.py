@@ -152,7 +152,7 @@ def _seen(draft: Draft, entity: Entity, seen: frozenset[Approach]) -> bool:
     beside = {Approach.ADJACENT} in told and lane is None  # "in the next lane"
     ahead = entity.basis.j is not None and after == ["ahead"]
     led = [p.reference for p in draft.placements_of(entity) if p.approaches == {Approach.AHEAD}]
-    ahead |= any(e is not None and draft.only(e, Approach.AHEAD) for e in led)  # beyond the car ahead
+    ahead |= any(e and draft.only(e, Approach.AHEAD) for e in led)  # beyond the car ahead
     return (
         ahead
         or (beside and Approach.ADJACENT in seen)

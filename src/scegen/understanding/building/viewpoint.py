@@ -147,10 +147,11 @@ def _in_the_next_number(draft: Draft, ego: Entity) -> None:
 
 def _own_side(draft: Draft, ego: Entity) -> Approach | None:
     """The side that an observer gives for the ego itself ("one car from the left, …")."""
-    own, *others = ([*_from_aside(draft, e)] for e in (ego, *draft.entities) if e.moving_vehicle)
-    met = [p for told in others for p in told if p.entity is not ego]
-    apart = own and met and all(p.basis != own[0].basis and p.approaches != own[0].approaches for p in met)
-    if "ego" in ego.named_by and not apart:
+    own = next(_from_aside(draft, ego), None)
+    others = [e for e in draft.entities if own and e.moving_vehicle and e is not ego]
+    met = [(p.basis, p.approaches) for e in others for p in _from_aside(draft, e)]
+    alike = any(own and (own.basis == i or own.approaches == sides) for i, sides in met)
+    if "ego" in ego.named_by and (alike or not met):
         return None  # what is said of its place is not a view from outside
     said = next((p.approaches for p in draft.placements_of(ego) if p.reference is None), set())
     return next(iter(said)) if len(said) == 1 and said <= _FRAME.keys() else None

@@ -73,7 +73,7 @@ def _driven(chunks: list[Chunk]) -> None:
     bare = [c for c in chunks if c.cat not in {"rel", "aux"}]
     for what, who, verb in zip(bare, bare[1:], bare[2:], strict=False):
         if isinstance(what, Mention) and isinstance(who, Mention) and isinstance(verb, Event):
-            drives = tells(who) and verb.lemma in word_list("operating") and what.heads
+            drives = tells(who) and verb.lemma in word_list("operating") and what.has("det")
             after = chunk_at(chunks, chunks.index(verb) + 1)
             if drives and after.cat not in {"prep", "locus"} and not verb.object:
                 what.same_as = who
@@ -84,7 +84,7 @@ def _vehicles_of_parties(chunks: list[Chunk]) -> None:
     for k, chunk in enumerate(chunks):
         owner = chunk.owner if isinstance(chunk, Mention) else None
         if value_at(chunks, k - 1) == "whose":  # "the ego, whose driver is tired, …"
-            owner = next((c for c in chunks[k::-1] if isinstance(c, Mention) and c is not chunk), None)
+            owner = next((c for c in chunks[k - 1 :: -1] if isinstance(c, Mention)), None)
         if not isinstance(chunk, Mention) or owner is None or not chunk.heads:
             continue
         drives = any("driver" in h.data for h in owner.heads) and not is_somebody(chunk)

@@ -122,7 +122,8 @@ def _resolve(mention: Mention, roster: Roster, bonds: Bonds) -> None:
         if not there and (by is None or any(e.ego for e in by.entities)):
             for entity in who.entities:
                 entity.loci |= {locus}
-        elif by is not None and by.entities and not (egos or by.dirs):  # "one car follows another; the leading car brakes"
+        elif by is not None and by.entities and not (egos or by.dirs):
+            # "one car follows another; the leading car brakes"
             for entity, place in (*product(who.entities, [locus]),
                                   *product(by.entities, [_BACKWARDS[locus]])):  # fmt: skip
                 entity.loci |= {place}
