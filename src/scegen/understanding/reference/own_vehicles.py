@@ -110,7 +110,8 @@ def _drivers(events: list[Event]) -> None:
 def _ridden(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
     """``I'm on a motorbike``, ``he overtook me in a van``: whoever it is stands for it."""
     moving = [e for e in events if not (e.passive or e.nominal or e.name in _AT_REST)]
-    told = [(m, p) for e in moving for m in e.subject if _may_ride(m) for p in e.pps]
+    acting = [(m, p) for e in moving for m in e.subject for p in e.pps]
+    told = [(m, p) for m, p in acting if tells(m) or is_somebody(m) or m.pronoun == "it"]
     named = [c for c in chunks if isinstance(c, Mention)]
     told += [(c, p) for c in named if tells(c) for p in c.pps]
     taken = {c.j for c in named if is_somebody(c)}  # "I pass a woman on a bicycle"
@@ -120,10 +121,6 @@ def _ridden(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> No
         if aboard and what is not None and what.same_as is None and is_one_vehicle(what):
             what.same_as = who
             who.marks.add("drives")
-
-
-def _may_ride(mention: Mention) -> bool:
-    return tells(mention) or is_somebody(mention) or mention.pronoun == "it"
 
 
 def _own_people(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
