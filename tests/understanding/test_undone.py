@@ -13,7 +13,6 @@ def _left_out(text):
     ("text", "words"),
     [
         ("The car ahead drives with one rear light and pulls onto the verge.", "pulls onto"),
-        ("Just as the lead car comes to the crossing a man steps out and it brakes.", "brakes"),
         ("The ego waits behind a car that is waiting for a parking space.", "waits"),
         ("The lead car speeds up to 50 km/h, then returns to 30 km/h.", "returns"),
         ("At a roundabout a car goes round; the ego gives way and then enters.", "gives way"),

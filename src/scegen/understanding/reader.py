@@ -68,7 +68,7 @@ _PUT_RIGHT: tuple[tuple[set[str], Callable[[list[Chunk], list[Token]], list[Chun
     (set(), under_test),
     ({"("}, lambda chunks, _: in_brackets(chunks)),
     ({":"}, lambda chunks, _: read_entries(chunks)),
-    ({"one", "all", "both"}, lambda chunks, _: each_of(chunks)),
+    ({"one", "all", "both", "neither", "none"}, lambda chunks, _: each_of(chunks)),
     ({"between"}, lambda chunks, _: in_between(chunks)),
     ({"num"}, list_them),
     ({":"}, lambda chunks, _: announce(chunks)),

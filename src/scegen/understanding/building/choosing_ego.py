@@ -38,6 +38,8 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
     if about is not None:
         about[0].ego = True
         return about
+    roles = word_list("targets") | {"adversary"}
+    movers = [e for e in movers if roles.isdisjoint(e.labels | e.named_by)]  # never the ego
     motor = [e for e in movers if e.kind is not ParticipantKind.BICYCLE]
     crossers = draft.causing(HazardKind.CROSSING_CYCLIST)
     candidates = motor or [e for e in movers if e not in crossers]
@@ -49,7 +51,9 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
         return last, Basis(reason="the text names no ego; this vehicle follows the other")
     afoot = [e for e in draft.entities if not e.is_vehicle]
     alone = len(candidates) == 1 == len(movers) and not afoot
-    sides = _SIDEWAYS if alone else _ALONG
+    whence = [p.approaches for e in candidates for p in draft.placements_of(e) if not p.reference]
+    alike = whence == [whence[0]] * len(movers) if whence and not afoot else False
+    sides = _SIDEWAYS if alone or alike else _ALONG  # "three cars come from the left"
     exposed = bool(afoot) or len(candidates) < len(movers)
     met = exposed and len(candidates) == 1 and _met(draft, candidates[0])
     sides = sides | {Approach.ADJACENT} if len(candidates) == 1 == len(movers) else sides
@@ -147,6 +151,8 @@ def _seen(draft: Draft, entity: Entity, seen: frozenset[Approach]) -> bool:
     lane = entity.start_lane or entity.by_ramp
     beside = {Approach.ADJACENT} in told and lane is None  # "in the next lane"
     ahead = entity.basis.j is not None and after == ["ahead"]
+    led = [p.reference for p in draft.placements_of(entity) if p.approaches == {Approach.AHEAD}]
+    ahead |= any(e and draft.only(e, Approach.AHEAD) for e in led)  # beyond the car ahead
     return (
         ahead
         or (beside and Approach.ADJACENT in seen)

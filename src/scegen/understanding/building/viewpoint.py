@@ -17,6 +17,7 @@ from scegen.scenario.vocabulary import (
 from scegen.understanding.draft import Draft, Placement
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.semantics.lanes import INVERSE
+from scegen.understanding.words.tokens import low_at
 
 _COMPASS = ("north", "east", "south", "west")
 _SEEN = {1: Approach.LEFT, 2: Approach.OPPOSITE, 3: Approach.RIGHT}
@@ -146,10 +147,23 @@ def _in_the_next_number(draft: Draft, ego: Entity) -> None:
 
 def _own_side(draft: Draft, ego: Entity) -> Approach | None:
     """The side that an observer gives for the ego itself ("one car from the left, …")."""
-    if "ego" in ego.named_by:
+    own = next(_from_aside(draft, ego), None)
+    others = [e for e in draft.entities if own and e.moving_vehicle and e is not ego]
+    met = [(p.basis, p.approaches) for e in others for p in _from_aside(draft, e)]
+    alike = any(own and (own.basis == i or own.approaches == sides) for i, sides in met)
+    if "ego" in ego.named_by and (alike or not met):
         return None  # what is said of its place is not a view from outside
     said = next((p.approaches for p in draft.placements_of(ego) if p.reference is None), set())
     return next(iter(said)) if len(said) == 1 and said <= _FRAME.keys() else None
+
+
+def _from_aside(draft: Draft, entity: Entity) -> Iterator[Placement]:
+    """``the ego comes from the left, a van from the right``: as somebody else sees both."""
+    for placement in draft.placements_of(entity):
+        aside = placement.reference is None and placement.approaches < _ASIDE
+        ends = low_at(draft.tokens, placement.basis.j or 0) in {",", ".", ";", "and", ""}
+        if aside and ends and draft.tokens[placement.basis.i or 0].low == "from":
+            yield placement
 
 
 def _reframed(own: Approach, approaches: set[Approach]) -> set[Approach]:

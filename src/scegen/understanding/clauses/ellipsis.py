@@ -41,7 +41,8 @@ def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> li
         joint, verb = chunk_at(chunks, k - 1), _verb_before(chunk.i, events)
         joined = joint.value in _JOINTS
         joined = joined and "lateral" not in chunk.dirs  # "crossing car": it does that
-        if verb is None or verb.premod_of is not None or not joined or not _ends(chunks, k + 2):
+        after = k + 2 + isinstance(chunk_at(chunks, k + 2), Mention)  # "and the taxi by the ego"
+        if verb is None or verb.premod_of is not None or not joined or not _ends(chunks, after):
             continue
         if not _further(chunk, chunks, k, verb):
             found += _copy(verb, chunk, chunks, k + 1)
@@ -131,13 +132,20 @@ def _taken_up(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> 
             does = chunk.name in {"light", "likewise"} and tokens[chunk.i].low in word_list("does")
             after = chunk_at(chunks, k + 2) if denied else after
         verb = _verb_before(chunks[begin].i, events) if denied or does else None
-        if verb is None or not (after is NOTHING or _parts(after)) or does != _is_denied(verb):
+        if verb is None or not (after is NOTHING or _parts(after)):
             continue
-        clause = takewhile(lambda c: not _parts(c), reversed(chunks[:begin]))
+        clause = takewhile(lambda c: not _parts(c) and c.cat != "sub", reversed(chunks[:begin]))
         named = [c for c in clause if isinstance(c, Mention) and c.prep is None]
+        last = chunk_at(chunks, begin - 2)
+        if chunks[begin - 1].value == "," and isinstance(last, Mention) and last.same_as:
+            named = [last.same_as]  # "the follower, a van, does not"
+        opened = bool(named) and chunk_at(chunks, chunks.index(named[-1]) - 1).cat == "sub"
+        likewise = does and opened  # "brakes because the car ahead does"
+        if (opened and not named[-1].heads) if likewise else does != _is_denied(verb):
+            continue
         again = _again(verb, named[-1:] or verb.subject, chunks[begin].i, chunk.j)
         found.append(replace(again, negated=denied, modal=False))
-        owed = does or verb.modal or verb.link == "inf"
+        owed = (does and not likewise) or verb.modal or verb.link == "inf"
         if owed and not any(m.heads for m in named[-1:]):
             verb.name = "inert"  # what is said of it is said again
     return found
@@ -164,7 +172,7 @@ def _parts(chunk: Chunk) -> bool:
 
 
 def _verb_before(i: int, events: list[Event]) -> Event | None:
-    before = [e for e in events if e.j <= i and e.subject and not e.nominal]
+    before = [e for e in events if e.j <= i and e.subject and not e.nominal and e.lemma != "do"]
     return before[-1] if before else None
 
 
@@ -200,6 +208,13 @@ def _copy(verb: Event, who: Mention, chunks: list[Chunk], k: int) -> list[Event]
         ends = cat_at(chunks, k + 2) in {"", "punct", "conj", "sub"}
         alike = alike and ends and not (who.is_ego or isinstance(verb.object, Mention))
         return [replace(_again(verb, [who], rest.i, target.j), mods=mods)] if alike else []
+    if isinstance(target, Mention):
+        whom = [p for p in verb.pps if p.value == rest.value and isinstance(p.target, Mention)]
+        verb.pps = [p for p in verb.pps if p.target is not target]
+        others = [p for p in verb.pps if p not in whom]
+        who.joined = None if whom else who.joined  # "overtaken by a van and the van by a bus"
+        again = _again(verb, [who], rest.i, target.j)
+        return [replace(again, pps=[*others, Prep(rest, target)])] if whom else []
     if not isinstance(target, Place):
         return []
     # "a car comes from the left and a van from the right", no "turns left out of a street; a van …"

@@ -6,7 +6,7 @@ from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep
 from scegen.understanding.clauses.dependents import depend
 from scegen.understanding.clauses.state import State
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.phrases.lookahead import chunk_at, predicate_opens
+from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at, predicate_opens
 
 _RELATIVE = 3
 """A noun, "which", and "is"."""
@@ -66,9 +66,11 @@ def _names_before(state: State) -> bool:
     if state.between != {","} or not isinstance(before, Mention) or not isinstance(here, Mention):
         return False
     following = state.at(1)
+    known = before.is_ego or before.label is not None or before.has("det", "def")
+    ends = known and bool(state.events) and following.value in BOUNDARIES  # "hits the SV, a car."
     listed = following.cat == "conj" and state.at(-1).value != "mild"
     acts = isinstance(following, Event) and following.form != "ing"
-    named = before.is_named and not here.is_named
+    named = (before.is_named or ends) and not here.is_named
     told = here.has("det", "indef") or (here.is_ego and bool(here.mods))
     return named and told and not (listed or acts)
 
@@ -77,7 +79,7 @@ def partitive_before(state: State) -> Mention | None:
     """``four of them trucks``, ``one a bus``: the noun says what kind they are."""
     part, of, whole = (state.at(n) for n in (-3, -2, -1))
     if isinstance(whole, Mention) and whole.pronoun in word_list("parts"):
-        return whole
+        return None if whole.prep else whole  # "from behind the second a boy runs out"
     if not isinstance(part, Mention) or of.value != "of":
         return None
     named = isinstance(whole, Mention) and whole.pronoun == "they"

@@ -184,6 +184,9 @@ class Chunker:
         if first.cat == "det" and second and second.value in POSITIONS and last_in_run:
             mention = Mention(first.i, second.j, mods, None, pronoun="ordinal", label=second.value)
             return self._one_after(self._add(mention, k + 2))
+        compared = self._tokens[after.i].low in word_list("compared") and first.value == "def"
+        if compared and self._term(k + 2).value == "of":
+            return self._stand_alone([first, after], "one", k)  # "the slower of the two"
         one = next((m for m, mod in enumerate(mods) if mod.value == "one"), 0)
         verb = self._term(k + one + 1)  # "on the left one pulls out"
         acts = (verb.cat, verb.form) == ("verb", "s")

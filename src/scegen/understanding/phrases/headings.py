@@ -215,7 +215,9 @@ def _is_heading(title: list[Chunk], rest: list[Chunk], mark: str) -> bool:
     if mark != ":":
         sided = any(c.value in {"left", "right"} for c in title)
         again = all(_comes_again(c, title, rest) for c in titled) and not _names_ego(title)
-        told = (again and not sided) or all(_is_for(c, title) for c in titled)
+        before = {value_at(title, title.index(c) - 1) for c in titled}
+        of_kinds = before <= {"for", "and"} and all(c.plural for c in titled)
+        told = (again and not sided) or of_kinds  # "Blind-spot test for trucks."
         if mark != "." or not titled or not told:
             return False
     bare = all(
@@ -235,11 +237,6 @@ def _is_heading(title: list[Chunk], rest: list[Chunk], mark: str) -> bool:
     stated = any(c.cat in _AUXILIARIES for c in rest)
     told_of = any(isinstance(c, Event) for c in rest) or (_names_ego(rest) and not stated)
     return not spoken and bare and named and told_of
-
-
-def _is_for(mention: Mention, title: list[Chunk]) -> bool:
-    """``Blind-spot test for trucks.``: what kind of vehicle is tested, nobody who takes part."""
-    return mention.plural and value_at(title, title.index(mention) - 1) in {"for", "and"}
 
 
 def _role(mention: Mention, title: list[Chunk]) -> bool:

@@ -106,6 +106,7 @@ def _alike(one: Mention, counted: Mention, tokens: list[Token]) -> bool:
     return vehicles or counted.noun in {one.noun, "driver"}
 
 
+_WHOLE = frozenset({"all", "both", "neither", "nobody"})
 _EVERYWHERE = frozenset({"direction", "side", "exit", "leg", "road"})
 _A_PAIR = 2
 """Of two sides named, there may still be any number of vehicles."""
@@ -149,6 +150,17 @@ def in_between(chunks: list[Chunk]) -> list[Chunk]:
     return [c for k, chunk in enumerate(found) for c in (second.get(k), chunk) if c is not None]
 
 
+def _of_them(chunk: Chunk, found: list[Chunk]) -> None:
+    """``each of the vans turns``, ``neither of the vans stops``: the vans do, or do not."""
+    part = chunk_at(found, len(found) - 2)
+    whole = (
+        isinstance(chunk, Mention) and bool(chunk.heads) and found[-1:] and found[-1].value == "of"
+    )
+    if whole and isinstance(part, Mention) and part.pronoun in _WHOLE:
+        none = part.pronoun not in {"all", "both"}
+        found[-2:] = [Term("neg", "not", part.i, part.j)] if none else []
+
+
 def each_of(chunks: list[Chunk]) -> list[Chunk]:
     """``in one of the lanes``, ``in each of them``, ``one from each side``: in it, from each."""
     found: list[Chunk] = []
@@ -182,6 +194,7 @@ def each_of(chunks: list[Chunk]) -> list[Chunk]:
                     chunk.head = replace(chunk.head, form="base")  # "one of the lanes"
             elif part.pronoun == "one" and word == "from" and every:
                 del found[-2]
+        _of_them(chunk, found)
         found.append(chunk)
     return found
 

@@ -29,9 +29,10 @@ def complete(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> l
     for k, chunk in enumerate(chunks):
         if isinstance(chunk, Event) and chunk.nominal and not chunk.subject:
             chunk.subject = _whose(chunks, k, found)
-        elif isinstance(chunk, Term) and _predicative(chunks, k) and not _has_verb(chunk, found):
+        elif isinstance(chunk, Term) and _predicative(chunks, k):
+            leads = [e for e in found if e.name in word_list("with_a_direction")]
             subject = _whose(chunks, k, found)
-            if subject:
+            if subject and not any(chunk in e.mods for e in leads):
                 going = Event("move", chunk.i, chunk.j, "s", finite=True, mods=[chunk])
                 going.subject, going.sentence = subject, _sentence_at(chunk.i, found)
                 found.append(going)
@@ -43,11 +44,6 @@ def _predicative(chunks: list[Chunk], k: int) -> bool:
     if chunks[k].cat != "dir" or chunks[k].value not in WAYS:
         return False
     return k + 1 == len(chunks) or value_at(chunks, k + 1) in _ENDS | BOUNDARIES
-
-
-def _has_verb(word: Term, events: list[Event]) -> bool:
-    """Whether the direction already says which way some verb leads."""
-    return any(word in e.mods and e.name in word_list("with_a_direction") for e in events)
 
 
 def _whose(chunks: list[Chunk], k: int, events: list[Event]) -> list[Mention]:

@@ -40,7 +40,8 @@ def repeat(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
         if isinstance(chunk, Mention) and "exit" in last and _taken(chunk, before):
             label = [m for m in chunk.mods if m.cat == "label"]
             chunk = replace(last["exit"], i=chunk.i, j=chunk.j, mods=label)  # noqa: PLW2901
-        if "crossed" in last and _across_it(chunk, before):
+        across = isinstance(before, Event) and before.name == "cross" and not before.nominal
+        if "crossed" in last and across and _is_it(chunk):  # "…; a cyclist rides across it"
             chunk = replace(last["crossed"], i=chunk.i, j=chunk.j)  # noqa: PLW2901
         if isinstance(chunk, Mention) and "one" in last:
             one = last.pop("one")  # "one leg hidden from the other"
@@ -168,11 +169,6 @@ def _taken(mention: Mention, before: Chunk) -> bool:
     """``takes the first exit, the bus takes the second``: an exit, too."""
     taken = isinstance(before, Event) and before.name in {"leave", "use"}
     return mention.pronoun == "ordinal" and (before.cat == "prep" or taken)
-
-
-def _across_it(chunk: Chunk, verb: Chunk) -> bool:
-    """``approaches a zebra crossing; a cyclist rides across it``: the crossing, nobody."""
-    return _is_it(chunk) and isinstance(verb, Event) and verb.name == "cross" and not verb.nominal
 
 
 def _is_it(chunk: Chunk) -> bool:

@@ -155,11 +155,13 @@ def _told_by_nobody(chunks: list[Chunk], k: int) -> bool:
         return not others and not any(isinstance(c, Event) for c in chunks[k:end])
     if not isinstance(verb, Event) or verb.nominal or following.value in {"by", "of"}:
         return False
-    if verb.form == "base":
+    egos = any(isinstance(c, Mention) and c.is_ego for c in chunks)
+    if verb.form == "base" or (verb.form == "s" and k == 0 and not egos):
         named = isinstance(following, NounPhrase) and following.mod(*_ARTICLES) is not None
         named = named or (isinstance(following, Mention) and following.pronoun is not None)
         placed = following.cat in {"prep", "locus", "dir"} or following.value == "length"
-        return verb.name in word_list("commanded") and (named or placed)
+        told = verb.form == "s" or verb.name in word_list("commanded")
+        return told and (named or placed)
     past = verb.form == "ing" if auxiliary else verb.form == "ed"
     past = past or (verb.form == "ing" and _whole_sentence(chunks))
     undergone = verb.name in _UNDERGONE and not isinstance(following, Mention)
@@ -180,7 +182,7 @@ def _plays(chunks: list[Chunk], k: int) -> bool:
     alone = ends(chunk_at(chunks, k + 2)) or value_at(chunks, k + 2) == ","
     if not (isinstance(role, Mention) and isinstance(actor, Mention) and alone):
         return False
-    if not role.is_ego or actor.is_ego or not ends(chunk_at(chunks, k - 2)):
+    if not (role.is_ego or role.label) or actor.is_ego or not ends(chunk_at(chunks, k - 2)):
         return False
     actor.same_as = role
     return True

@@ -171,7 +171,8 @@ def _people_in_traffic(chunks: list[Chunk], events: list[Event], tokens: list[To
     walking = {id(m) for e in events if _on_foot(e) for m in e.subject}
     aboard = [m for m in named if m.head is not None and m.head.data.get("aboard")]
     aboard += [m for m in named if m.heads and not m.is_ego and carried(m, chunks, tokens)]
-    again = any(is_pronoun(m) and id(m) in walking for m in named)  # "lets a man out; he crosses"
+    on_foot = [m for m in named if id(m) in walking]  # "lets a man out; he crosses"
+    again = any(is_pronoun(m) or m.pronoun == "one" for m in on_foot)
     afoot = any(id(m) in walking for m in aboard)
     for who in [m for m in aboard if id(m) not in walking]:
         told = who.mod("det", "def") is not None and afoot  # "…; the ego hits the passenger"

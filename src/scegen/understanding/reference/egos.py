@@ -63,12 +63,13 @@ def last_is_ego(roster: Roster, mention: Mention) -> None:
 def ego_by_order(roster: Roster, mention: Mention) -> None:
     """``three cars in a row …, we are the last``, ``the ego second``, ``with it as third``."""
     begin = mention.j + (low_at(roster.tokens, mention.j) == ",")  # "and the ego, last, …"
-    after = roster.tokens[begin : begin + 3]
+    after = roster.tokens[begin : begin + 5]
     words = [t.low for t in after]
     said = not word_list("counting_as").isdisjoint(words[:1])
     told = words[1 + (words[1:2] == ["the"]) :] if said else words
     alone = said or len(words) < 2 or after[1].kind == "punct" or mention.stands_after("with")
-    position = POSITIONS.get(told[0]) if told and alone else None
+    inmost = "_".join(told[:3]) if told[3:4] != ["of"] else ""
+    position = POSITIONS.get(inmost, POSITIONS.get(told[0]) if told and alone else None)
     if position is None or roster.draft.ego is not None or not roster.groups:
         return
     members = roster.groups[-1].members

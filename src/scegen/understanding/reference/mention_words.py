@@ -74,6 +74,8 @@ def read_mention(mention: Mention, tokens: list[Token], arms: int | None) -> Rea
     det_value = det.value if det else ("one" if single else "bare")
     if det and det.cat == "possessive":
         det_value = "def"
+    elif det is None and last.base in word_list("indefinite"):
+        det_value = "indef"  # "somebody hits me"
     labels = {h.data["label"] for h in heads if "label" in h.data}
     labels |= {"adversary"} if mention.has("label", "adversary") else set()
     labels |= {tokens[m.i].low for m in mention.mods if m.cat == "label" and m.value == "colour"}

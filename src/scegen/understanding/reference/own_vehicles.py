@@ -8,7 +8,7 @@ from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.doings_named import teller_at
-from scegen.understanding.phrases.lookahead import value_at
+from scegen.understanding.phrases.lookahead import chunk_at, value_at
 from scegen.understanding.reference.mention_words import KINDS, mine, tells
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
@@ -39,6 +39,7 @@ def whole_for_part(chunks: list[Chunk], _: object) -> list[Chunk]:
 def stand_for_vehicles(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
     """Makes one of somebody and the vehicle that he or she drives."""
     _own_vehicles(events)
+    _driven(chunks)
     _vehicles_of_parties(chunks)
     _drivers(events)
     _ridden(chunks, events, tokens)
@@ -67,10 +68,23 @@ def _own_vehicles(events: list[Event]) -> None:
             who.marks.add("drives")
 
 
+def _driven(chunks: list[Chunk]) -> None:
+    """``the van I am driving``, ``the bike that we ride``: whoever tells it."""
+    bare = [c for c in chunks if c.cat not in {"rel", "aux"}]
+    for what, who, verb in zip(bare, bare[1:], bare[2:], strict=False):
+        if isinstance(what, Mention) and isinstance(who, Mention) and isinstance(verb, Event):
+            drives = tells(who) and verb.lemma in word_list("operating") and what.has("det")
+            after = chunk_at(chunks, chunks.index(verb) + 1)
+            if drives and after.cat not in {"prep", "locus"} and not verb.object:
+                what.same_as = who
+
+
 def _vehicles_of_parties(chunks: list[Chunk]) -> None:
     """``the insured's van``, ``driver 2's car``, ``the ego's driver``: the owner stands for it."""
-    for chunk in chunks:
+    for k, chunk in enumerate(chunks):
         owner = chunk.owner if isinstance(chunk, Mention) else None
+        if value_at(chunks, k - 1) == "whose":  # "the ego, whose driver is tired, …"
+            owner = next((c for c in chunks[k - 1 :: -1] if isinstance(c, Mention)), None)
         if not isinstance(chunk, Mention) or owner is None or not chunk.heads:
             continue
         drives = any("driver" in h.data for h in owner.heads) and not is_somebody(chunk)
@@ -85,6 +99,8 @@ def _drivers(events: list[Event]) -> None:
         if event.lemma in word_list("operating"):
             for who in filter(is_somebody, by):
                 who.same_as = event.subject[-1]
+            if by and tells(by[0]):
+                event.subject[-1].same_as = by[0]
         elif event.name == "tow" and by:
             event.subject[-1].negated, towed = True, event.subject
             for other in (e for e in events if e.subject == towed):
@@ -94,7 +110,8 @@ def _drivers(events: list[Event]) -> None:
 def _ridden(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
     """``I'm on a motorbike``, ``he overtook me in a van``: whoever it is stands for it."""
     moving = [e for e in events if not (e.passive or e.nominal or e.name in _AT_REST)]
-    told = [(m, p) for e in moving for m in e.subject if _may_ride(m) for p in e.pps]
+    acting = [(m, p) for e in moving for m in e.subject for p in e.pps]
+    told = [(m, p) for m, p in acting if tells(m) or is_somebody(m) or m.pronoun == "it"]
     named = [c for c in chunks if isinstance(c, Mention)]
     told += [(c, p) for c in named if tells(c) for p in c.pps]
     taken = {c.j for c in named if is_somebody(c)}  # "I pass a woman on a bicycle"
@@ -104,10 +121,6 @@ def _ridden(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> No
         if aboard and what is not None and what.same_as is None and is_one_vehicle(what):
             what.same_as = who
             who.marks.add("drives")
-
-
-def _may_ride(mention: Mention) -> bool:
-    return tells(mention) or is_somebody(mention) or mention.pronoun == "it"
 
 
 def _own_people(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:

@@ -11,6 +11,7 @@ from scegen.understanding.reference.generic import everybody
 from scegen.understanding.reference.mention_words import ENDS
 from scegen.understanding.reference.roster import Roster, claimed
 from scegen.understanding.words.numbers import POSITIONS
+from scegen.understanding.words.terms import Term
 
 _PERSONS = ("ist", "rider", "biker", "driver", "courier")
 _MOST = 20
@@ -40,7 +41,7 @@ def of_pronoun(
         left = roster.besides(exclude)
         rest = roster.claim(1, exclude) or (left if len(left) == 1 else told)
         return rest or [roster.new(ParticipantKind.CAR, basis)]
-    if which == "ordinal" and (found := _ordinal(roster, mention)):
+    if which == "ordinal" and (found := _ordinal(roster, mention, exclude)):
         return found
     if which == "another" or (which == "ordinal" and mention.opened_by("indef")):
         return roster.further(exclude, basis)
@@ -58,7 +59,8 @@ def _together(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[E
     others = [e for e in roster.entities if not e.ego and e not in exclude]
     apart = mention.pronoun == "both" and not any(e.ego for e in roster.before + roster.subject)
     apart |= mention.pronoun == "they" and any("speaks" in e.named_by for e in roster.entities)
-    if apart and number is None and len(others) == _TWO:
+    told = mention.pronoun == "they" and any("speaks" in e.named_by for e in roster.subject[:1])
+    if apart and number is None and (len(others) == _TWO or (told and others)):
         return others  # "a van is ahead of us, a bus behind us; they drive 60 km/h"
     meant = roster.together(exclude)
     if number is not None and count != len(meant):
@@ -99,7 +101,8 @@ def _single(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Ent
     options = _persons(roster, mention, [e for e in recent if e not in exclude], options)
     if word == "it" and any(_person(roster, e) for e in options):
         order = roster.recent
-        since = order[order.index(options[0]) + 1 :]
+        on_foot = drives and not options[0].is_vehicle and options[0].kind not in ANIMALS
+        since = order if on_foot else order[order.index(options[0]) + 1 :]
         others = [e for e in since if not _person(roster, e) and e not in exclude]
         # "a rider passes the ego as it turns"; "a child behind a parked car; it is hit"
         options = [e for e in others if drives or not e.still][-1:] or options
@@ -114,7 +117,10 @@ def _single(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Ent
         options = (driving or running)[-1:] or options  # "a van is parked in its lane; it swerves"
     before = roster.before if len(roster.before) == 1 else []
     left = [e for e in (*before, *reversed(recent)) if e not in exclude]
-    return [e for e in options if e not in exclude] or left[:1]
+    people = [e for e in left if word == "it" and _person(roster, e) and e.kind not in ANIMALS]
+    left = [e for e in left if not (e in people or e.still)] or left  # "a man stops the ego; …"
+    other = _new_driver(roster, mention) if word in {"he", "she"} and not left else []
+    return [e for e in options if e not in exclude] or left[:1] or other  # "she brakes, he …"
 
 
 def _persons(
@@ -129,7 +135,8 @@ def _persons(
     known = [e for e in known if e.kind not in ANIMALS] or known
     people = [e for e in known if _person(roster, e)]
     drivers = [e for e in known if "somebody" in e.named_by and e.is_vehicle]
-    if "drives" in mention.marks:
+    along = mention.prep is not None and mention.prep.cat == "locus"  # "the van behind him"
+    if "drives" in mention.marks or (along and drivers):
         people = drivers or [e for e in people if e.is_vehicle] or people
     elif "walks" in mention.marks:
         people = [e for e in people if not e.is_vehicle] or people
@@ -149,13 +156,14 @@ def _new_driver(roster: Roster, mention: Mention) -> list[Entity]:
     return [roster.new(ParticipantKind.CAR, Basis(mention.i, mention.j))]
 
 
-def _ordinal(roster: Roster, mention: Mention) -> list[Entity]:
+def _ordinal(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Entity]:
     position = POSITIONS[mention.label or "first"]
     vehicles = [e for e in roster.entities if e.moving_vehicle and not e.ego]
     named = vehicles or roster.entities
     group = roster.groups[-1].members if roster.groups else named
     if mention.label in {"former", "latter"}:
-        two = roster.recent if len(roster.recent) > 1 else group
+        two = [e for e in roster.recent if e not in exclude]
+        two = two if len(two) > 1 else group  # "the ego follows a bus; a van passes the latter"
         group = list(two[-2:]) if position == 0 or not roster.pair else roster.pair
         roster.pair = group if position == 0 else []
     position += len(group) if position < 0 else 0
@@ -177,6 +185,10 @@ def _counted(roster: Roster, mention: Mention, exclude: list[Entity], basis: Bas
         opened = [g for g in roster.groups if 0 < len(g.free) < len(g.members)]
         return picked(opened[-1].free if opened else roster.besides(exclude))
     count = int(number.data["number"]) if number is not None else 1
+    if which == "count" and mention.i and roster.tokens[mention.i - 1].low == "the":
+        told = [g.members for g in roster.groups if len(g.members) == count]
+        if told:
+            return list(told[-1])  # "the slower of the two"
     left = [e for e in whole if not e.some]  # "six vehicles: … three cars; one of the cars …"
     free = (roster.claim(count, exclude) or left[:count]) if which != "further" else []
     alike = [e.kind for e in roster.recent if not e.ego and which in {"further", "one"}]
@@ -200,10 +212,28 @@ def _known_one(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[
     if colour is not None:  # "the grey one": nobody who is called white
         words = [{t.low for t in roster.tokens[e.basis.i or 0 : e.basis.j or 0]} for e in others]
         return [e for e, own in zip(others, words, strict=True) if colour in own][-1:]
+    if last := _of_a_file(roster, mention):
+        return last
     there = loci_of(mention) | {ENDS.get(d, d) for d in mention.dirs}
     placed = [e for e in others if e.loci & there]
     alone = bool(there) and len(others) == 1 and not others[0].loci
+    alone = alone and (roster.draft.ego is not None or others != roster.subject)  # "a car waits; …"
     return placed[-1:] or (others if alone else [])
+
+
+def _of_a_file(roster: Roster, mention: Mention) -> list[Entity]:
+    """``two vans drive ahead of the ego; the one behind``: the last of them, not behind the ego."""
+    group = roster.groups[-1].members if roster.groups else []
+    along = (p for p in mention.pps if p.target is None and p.value in ENDS.values())
+    prep = next(along, None)
+    places = [(e.loci, e.dirs, e.nears) for e in group if not e.still]
+    alike = len(places) == _TWO and places[0] == places[1] and any(places[0])
+    if prep is None or not alike:
+        return []
+    which = "first" if prep.value == "ahead" else "last"
+    said = Term("label", which, prep.word.i, prep.word.j, data={"in_file": True})
+    mention.pps, mention.mods = [], [*mention.mods, said]
+    return claimed([group[POSITIONS[which]]])
 
 
 def picked(entities: list[Entity]) -> list[Entity]:

@@ -32,13 +32,15 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], roster: Roster) -
     rank(chunks, events, roster.tokens)
     cast_both(chunks, events)
     bonds = bonds_of(chunks, events, roster.tokens)
-    owners = {id(c.owner) for c in chunks if isinstance(c, Mention | Thing)}
+    owned = [c.owner for c in chunks if isinstance(c, Mention | Thing) and c.owner is not None]
+    # "the neighbour's van": the van takes part, the neighbour does not
+    owners = {id(m) for m in owned if not any("afoot" in h.data for h in m.heads[-1:])}
     stand = {id(m): e for e in events if e.name == "park" and not e.negated for m in e.subject}
     waiting: list[Mention] = []
     early: list[Mention] = []
     for chunk in chunks:
         _told_by_somebody(chunk, roster)
-        if not isinstance(chunk, Mention) or (id(chunk) in owners and _on_no_road(chunk)):
+        if not isinstance(chunk, Mention) or (id(chunk) in owners and chunk.noun == "pedestrian"):
             continue
         if chunk.whole is not None and chunk.pronoun in word_list("parts"):
             waiting.append(chunk)
@@ -122,7 +124,8 @@ def _resolve(mention: Mention, roster: Roster, bonds: Bonds) -> None:
         if not there and (by is None or any(e.ego for e in by.entities)):
             for entity in who.entities:
                 entity.loci |= {locus}
-        elif by is not None and not egos:  # "one car follows another; the leading car brakes"
+        elif by is not None and by.entities and not (egos or by.dirs):
+            # "one car follows another; the leading car brakes"
             for entity, place in (*product(who.entities, [locus]),
                                   *product(by.entities, [_BACKWARDS[locus]])):  # fmt: skip
                 entity.loci |= {place}
@@ -135,8 +138,3 @@ def _seen_from_the_ego(mention: Mention, placed: list[Mention], events: list[Eve
     phrases = [p for m in placed if any(e.ego for e in m.entities) for p in m.pps]
     places = [p.value for p in phrases if p.target is mention]
     return loci | {_BACKWARDS[word] for word in places if word in _BACKWARDS}
-
-
-def _on_no_road(owner: Mention) -> bool:
-    """``the neighbour's van``: the van takes part, the neighbour does not."""
-    return owner.noun == "pedestrian" and not any("afoot" in h.data for h in owner.heads[-1:])

@@ -146,6 +146,8 @@ def _must_be_verb(match: Match, tokens: list[Token], previous: Term) -> bool:
         return True  # "a car coming the other way brakes"
     one = previous.cat == "num" and previous.data.get("number") == 1
     one = one or (previous.cat == "label" and previous.value in POSITIONS)  # "the first brakes"
+    of = [low_at(tokens, previous.i - n) for n in (2, 1)] == ["of", "the"] and previous.cat == "num"
+    one = one or (of and not match.has("place"))  # "the second of the two brakes"
     sided = previous.cat == "dir" and previous.value in {"left", "right"}
     sided = sided and match.has("inert", "thing")  # "from the left barrels through"
     bare = match.has("thing") and previous.cat not in {"det", "possessive", "num", "quant"}

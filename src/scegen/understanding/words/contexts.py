@@ -132,7 +132,7 @@ def _rows() -> dict[str, tuple[tuple[int, _Row], ...]]:
     for number, record in enumerate(load_contexts()):
         row = _Row.of(record)
         words = [f"={w}" for w in record.get("word", ())]
-        for key in words or [f"+{w}" for w in record.get("lemma", ())] or [record["at"]]:
+        for key in words or [f"+{w}" for w in record.get("lemma", ())] or record["at"].split():
             found.setdefault(key, []).append((number, row))
     return {key: tuple(rows) for key, rows in found.items()}
 
