@@ -153,7 +153,9 @@ def _told_by_nobody(chunks: list[Chunk], k: int) -> bool:
     if verb.cat == "locus" and isinstance(following, Mention) and value_at(chunks, end) != ":":
         others = [m for m in free_mentions(chunks[k:end]) if m.pronoun != "both"]
         return not others and not any(isinstance(c, Event) for c in chunks[k:end])
-    if not isinstance(verb, Event) or verb.nominal or following.value in {"by", "of"}:
+    if not isinstance(verb, Event) or verb.nominal or following.value == "by":
+        return False
+    if following.value == "of" and verb.form != "ed":  # "braking of the bus", not "backed out of"
         return False
     egos = any(isinstance(c, Mention) and c.is_ego for c in chunks)
     if verb.form == "base" or (verb.form == "s" and k == 0 and not egos):
