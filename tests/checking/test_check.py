@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import json
+import runpy
 import shutil
+import subprocess
+import sys
 
 import pytest
 from rich.console import Console
@@ -141,3 +144,14 @@ def test_tools_say_how_to_get_them(monkeypatch, tmp_path):
 def test_installer_takes_one_known_name(arguments, capsys):
     assert main(arguments) == 2
     assert "asam or interop" in capsys.readouterr().err
+
+
+def test_installer_runs_as_the_makefile_calls_it(monkeypatch):
+    """As a script: what it needs must be there before it is run."""
+    commands = []
+    monkeypatch.setattr(subprocess, "run", lambda command, **_: commands.append(command))
+    monkeypatch.setattr(sys, "argv", ["environment", "asam"])
+    with pytest.raises(SystemExit) as ended:
+        runpy.run_module("scegen.checking.environment", run_name="__main__")
+    assert ended.value.code == 0
+    assert ["venv" in commands[0], "asam-qc-opendrive" in commands[1]] == [True, True]

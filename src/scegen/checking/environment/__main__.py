@@ -18,25 +18,6 @@ PACKAGES = {
 """By name of the environment."""
 
 
-def main(arguments: Sequence[str] | None = None) -> int:
-    """Install the environment named by the only argument; the exit code."""
-    names = list(sys.argv[1:] if arguments is None else arguments)
-    if len(names) != 1 or names[0] not in PACKAGES:
-        sys.stderr.write("name one environment: asam or interop\n")
-        return InputError.exit_code
-    try:
-        python = install(names[0])
-    except MissingToolError as problem:
-        sys.stderr.write(f"{problem}\n")
-        return problem.exit_code
-    sys.stderr.write(f"installed: {python}\n")
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())
-
-
 def install(name: str) -> Path:
     """Create one of the environments, in exact versions; its python.
 
@@ -59,3 +40,22 @@ def install(name: str) -> Path:
                     hint="see what pip says above; it needs the usual package index",
                 ) from failure
     return python
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Install the environment named by the only argument; the exit code."""
+    names = list(sys.argv[1:] if arguments is None else arguments)
+    if len(names) != 1 or names[0] not in PACKAGES:
+        sys.stderr.write("name one environment: asam or interop\n")
+        return InputError.exit_code
+    try:
+        python = install(names[0])
+    except MissingToolError as problem:
+        sys.stderr.write(f"{problem}\n")
+        return problem.exit_code
+    sys.stderr.write(f"installed: {python}\n")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
