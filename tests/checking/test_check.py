@@ -152,6 +152,6 @@ def test_installer_runs_as_the_makefile_calls_it(monkeypatch):
     monkeypatch.setattr(subprocess, "run", lambda command, **_: commands.append(command))
     monkeypatch.setattr(sys, "argv", ["environment", "asam"])
     with pytest.raises(SystemExit) as ended:
-        runpy.run_module("scegen.checking.environment", run_name="__main__")
+        runpy.run_path(main.__code__.co_filename, run_name="__main__")
     assert ended.value.code == 0
     assert ["venv" in commands[0], "asam-qc-opendrive" in commands[1]] == [True, True]
