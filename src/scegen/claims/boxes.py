@@ -145,8 +145,12 @@ def counting_mps(
 
 def free_width_m(frame: Boxes, other: Boxes) -> Floats:
     """Free width across the frame's heading; negative where the one is in front of the other."""
-    clear = free(frame, other)
-    return np.maximum(clear.left, clear.right)
+    return clear_aside_m(frame, seen(frame, other))
+
+
+def clear_aside_m(frame: Boxes, there: Seen) -> Floats:
+    """The same of one that has been seen from the frame already."""
+    return np.maximum(there.right - frame.half_width, -frame.half_width - there.left)
 
 
 def course(frame: Boxes, other: Boxes) -> Floats:

@@ -354,7 +354,7 @@ class ConcreteScenario(CheckedModel):
     @property
     def ego_first(self) -> tuple[ConcreteParticipant, ...]:
         """The participants as files list them: for who does not know its name, the ego is first."""
-        return tuple(sorted(self.participants, key=lambda p: p is not self.ego))
+        return tuple(sorted(self.participants, key=lambda p: p.role is not Role.EGO))
 
     @property
     def ego(self) -> ConcreteParticipant:

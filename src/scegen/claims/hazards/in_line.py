@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from scegen.claims.boxes import boxes, offset, same_way, seen
+from scegen.claims.boxes import boxes, clear_aside_m, offset, same_way, seen
 from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
 from scegen.claims.series import at, filled, first, lasting
@@ -25,7 +25,7 @@ def comes_in_ahead(view: View, by: str, to: str, _: Floats) -> Part:
     """
     frame, box = boxes(view, to), boxes(view, by)
     there = seen(frame, box)
-    beside = np.maximum(there.right, -there.left) > frame.half_width
+    beside = clear_aside_m(frame, there) > 0.0
     inside = ~beside & (same_way(frame, box) > _SAME_WAY)
     time = np.arange(view.steps) * view.dt_s
     touch = filled(view.of_pair("contact_s", by, to), np.inf)[:, None]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from scegen.claims.boxes import boxes, free_width_m, seen
+from scegen.claims.boxes import box_at, clear_aside_m, seen
 from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.predicate import NEVER, Part, Predicate, at_least, at_most
 from scegen.claims.hidden import hidden
@@ -40,9 +40,10 @@ def _clearest(parts: list[Part]) -> float:
 
 def obstacle(view: View, by: str, to: str) -> list[Part]:
     """The sufferer has to pass close by what stands there, or comes to rest before it."""
-    frame, box = boxes(view, to), boxes(view, by)
-    before = (free_width_m(frame, box) <= 0.0) & (seen(frame, box).x > 0.0)
-    held_up = before[:, -1] & (view.speed_mps(to)[:, -1] < limits.STANDS_MPS)
+    frame, box = (box_at(view, name, view.steps - 1) for name in (to, by))
+    there = seen(frame, box)
+    before = (clear_aside_m(frame, there) <= 0.0) & (there.x > 0.0)
+    held_up = before & (view.speed_mps(to)[:, -1] < limits.STANDS_MPS)
     apart = np.where(held_up, 0.0, view.of_pair("distance_m", by, to))
     return [at_most("distance", apart, limits.OBSTACLE, view.of_pair("closest_s", by, to))]
 

@@ -59,8 +59,7 @@ def _said(told: Told, outcome: Outcome) -> Iterator[Claim]:
         test = partial(_nearly, told, outcome)
         yield _claim("kind", f"{who} nearly touch, and do not", "1", test, 1.0)
     else:
-        apart: Test = lambda view: _untouched(view, pairs_of(told, outcome, view))  # noqa: E731
-        yield _claim("kind", f"{who} do not touch", "m", apart, 1.0)
+        yield _claim("kind", f"{who} do not touch", "m", partial(_apart, told, outcome), 1.0)
 
 
 def _claim(
@@ -142,6 +141,11 @@ def _nearly(told: Told, outcome: Outcome, view: View) -> Judged:
     pairs = pairs_of(told, outcome, view)
     found = [(near_miss(view, pair), view.of_pair("closest_s", *pair)) for pair in pairs]
     return best_of(view, [Judged(margin, margin, time_s) for margin, time_s in found])
+
+
+def _apart(told: Told, outcome: Outcome, view: View) -> Judged:
+    """None of those pairs touches."""
+    return _untouched(view, pairs_of(told, outcome, view))
 
 
 def _nobody_else(told: Told, view: View) -> Judged:

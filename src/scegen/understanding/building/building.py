@@ -175,10 +175,8 @@ class Builder:
             seen = seen | along[0]
         maneuvers = maneuvers_of(entity, junction, self.draft)
         circulates = entity.told.get("circulates")
-        drives = entity.is_vehicle and not entity.still
-        unmoved = entity.told.get("unmoved") or (
-            self.draft.implied.get("unmoved") if drives else None
-        )
+        nobody = self.draft.implied if entity.is_vehicle and not entity.still else {}
+        unmoved = entity.told.get("unmoved") or nobody.get("unmoved")
         ring = junction.kind is JunctionKind.ROUNDABOUT and circulates is not None
         light = self._light(entity, maneuvers, junction)
         delay = entity.green_delay if light[0] is AtLight.WAITS else None

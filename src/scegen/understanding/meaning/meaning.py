@@ -115,17 +115,13 @@ def _gone_to(prep: Prep, event: Event, context: Context) -> bool:
 
 def _then(who: Mention, events: list[Event], context: Context) -> list[Prep]:
     """``cuts in when it is 10 m in front``: so it is then, and not before."""
-    told = next((e for e in reversed(events) if e.i < who.i), None)
-    when = any(
-        " ".join(context.lows(k, who.i)) in word_list("triggers")
-        for k in range(max(0, who.i - _LONGEST), who.i)
-    )
-    own = (
-        told is not None
-        and told.name in word_list("underway") | _INTO
-        and {*who.entities} & {*told.doers}
-    )
-    return [p for p in who.pps if p.predicate and p.value == "ahead"] if when and own else []
+    there = [p for p in who.pps if p.predicate and p.value == "ahead"]
+    told = next((e for e in reversed(events) if e.i < who.i), None) if there else None
+    if told is None or told.name not in word_list("underway") | _INTO:
+        return []
+    begins = range(max(0, who.i - _LONGEST), who.i)
+    when = any(" ".join(context.lows(k, who.i)) in word_list("triggers") for k in begins)
+    return there if when and {*who.entities} & {*told.doers} else []
 
 
 def _named(
