@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from scegen.claims.arms import arms_of
-from scegen.claims.boxes import boxes, gap_m, same_way
+from scegen.claims.boxes import Boxes, boxes, gap_m, same_way
 from scegen.claims.runs import Run, greatest_runs
 from scegen.claims.series import at, first
 from scegen.claims.sideways import sideways_begin
@@ -49,11 +49,11 @@ def sets_off(view: View, name: str, number: int = 0) -> Ints:
     return first(leaves & (np.cumsum(leaves, axis=1) > number))
 
 
-def _turns(view: View, name: str) -> Ints:
-    """When the heading first leaves that of the start."""
-    cos, sin = boxes(view, name).cos, boxes(view, name).sin
-    aside = np.abs(sin * cos[:, :1] - cos * sin[:, :1])
-    return first((aside > TURNS_RAD) | (cos * cos[:, :1] + sin * sin[:, :1] < 0.0))
+def turned(box: Boxes) -> Bools:
+    """Where along the last axis, time or way, the heading has left that of the start."""
+    cos, sin = box.cos, box.sin
+    aside = np.abs(sin * cos[..., :1] - cos * sin[..., :1])
+    return (aside > TURNS_RAD) | (cos * cos[..., :1] + sin * sin[..., :1] < 0.0)
 
 
 def act_begins(told: Told, act: Act, view: View) -> Ints:
@@ -159,7 +159,7 @@ def _begins(told: Told, act: Act, view: View) -> Ints:
     if act.kind is ActKind.REVERSE:
         return first(view.row(name, SPEED) < -STANDS_MPS)
     if act.kind is ActKind.TURN:
-        return _turns(view, name)
+        return first(turned(boxes(view, name)))
     if act.kind is ActKind.OPEN_DOOR:
         return sets_off(view, door_of(name)) if door_of(name) in view.index else never
     crossing, begins = told.crossing(name), np.zeros_like(never)

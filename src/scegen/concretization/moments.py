@@ -7,6 +7,7 @@ from functools import partial
 import numpy as np
 
 from scegen.claims.boxes import Boxes
+from scegen.claims.moments import turned
 from scegen.concretization.amounts import OUT_AND_BACK
 from scegen.concretization.boxes import box_on, missing_m
 from scegen.concretization.drafts import DriveDraft
@@ -14,12 +15,15 @@ from scegen.concretization.setup import Setup
 from scegen.concretization.traffic import Traffic
 from scegen.concretization.walkers import leaves_s
 from scegen.motion.model import Array
+from scegen.motion.reversing import ROLLS_M
 from scegen.motion.standing import object_path
 from scegen.motion.trigger_steps import STEP_S
 from scegen.scenario.acts import LEAVING, Act, ActKind, WhenMeasure
+from scegen.scenario.reversing import BacksOut
 from scegen.scenario.spacings import Spacing
 
 _GONE_M = 0.1
+_STEP_M = 0.05
 _AFTER_S = 30.0
 """Those who go on once others are out of their way arrive so much later."""
 
@@ -43,9 +47,20 @@ def during_s(scene: Setup, act: Act) -> tuple[float, float]:
     if phase is not None:
         return late + phase.begins_s, late + course.profile.settles_s(phase.begins_s)
     marked = [mark.s_m for mark in draft.steps if mark.act == act.id]
-    front = draft.body.front_m if act.kind is ActKind.ENTER else 0.0
-    begins = late + course.time_at(marked[0] if marked else draft.junction_s_m - front)
+    begins = late + course.time_at(marked[0] if marked else _comes_in_m(draft, act))
     return begins, begins
+
+
+def _comes_in_m(draft: DriveDraft, act: Act) -> float:
+    """Where on its path somebody is as it enters the junction, or begins to turn there."""
+    if act.kind is ActKind.ENTER and isinstance(draft.reversal, BacksOut):  # rear first
+        return ROLLS_M + draft.reversal.setback_m - draft.body.rear_m
+    if act.kind is ActKind.ENTER:
+        return draft.junction_s_m - draft.body.front_m
+    ways_m = np.arange(draft.junction_s_m, draft.path.length_m, _STEP_M)
+    bends = turned(box_on(draft.path, draft.body, np.append(draft.path.s_m[:1], ways_m)))[1:]
+    turns = act.kind is ActKind.TURN and bends.any()
+    return float(ways_m[bends][0]) if turns else draft.junction_s_m
 
 
 def _aside_m(scene: Setup, draft: DriveDraft, act: Act) -> tuple[float, float]:

@@ -130,11 +130,12 @@ def judge_spacing(told: Told, spacing: Spacing, view: View, *, ahead: bool | Non
     value = measure_at(view, spacing.measure, who, reference, step, spacing.side, ahead)
     margin = within(value, spacing.value, tolerance)
     if spacing.at != START and spacing.measure is not Measure.LATERAL_GAP_M:
-        # Somewhere within the step in which the act begins, or while it fades out.
+        # Somewhere within the steps between which the act begins, or while it fades out.
         fades = round(_FADES_S / view.dt_s) if spacing.since == "end" else 1
-        later = np.minimum(step + fades, view.steps - 1)
-        after = measure_at(view, spacing.measure, who, reference, later, spacing.side, ahead)
-        low, high = np.minimum(value, after), np.maximum(value, after)
+        near = [np.clip(step + k, 0, view.steps - 1) for k in (-1, fades)]
+        alike = partial(measure_at, view, spacing.measure, who, reference)
+        around = [value, *(alike(k, spacing.side, ahead) for k in near)]
+        low, high = np.min(around, axis=0), np.max(around, axis=0)
         passes = (low <= spacing.value.high) & (high >= spacing.value.low)
         margin = np.where(passes, np.maximum(margin, tolerance), margin)
     margin = np.where(step < view.steps, margin, np.nan)

@@ -137,7 +137,8 @@ def _between(
         text.found.spacings[:] = [
             s for s in text.found.spacings if s.measure is not measure or s.entity is not entity
         ]  # "with full overlap (100 %)"
-    tell_order(figure, measure, one, other)
+    if not (isinstance(at, Doing) and at.kind in _ENTERING):
+        tell_order(figure, measure, one, other)
     return Apart(measure, entity, reference, amount, at, side, since(text, at, one, other))
 
 
@@ -158,8 +159,9 @@ def to_a_thing(figure: Figure) -> bool:
 
 
 _ANSWERING = frozenset({ActKind.BRAKE, ActKind.STOP, ActKind.CHANGE_LANE})
-_INTO = frozenset({ActKind.CHANGE_LANE, ActKind.OVERTAKE, ActKind.SWERVE, ActKind.CROSS,
-                   ActKind.OPEN_DOOR})  # fmt: skip
+_ENTERING = frozenset({ActKind.TURN, ActKind.ENTER})
+_INTO = _ENTERING | {ActKind.CHANGE_LANE, ActKind.OVERTAKE, ActKind.SWERVE, ActKind.CROSS,
+                     ActKind.OPEN_DOOR}  # fmt: skip
 _BEGINNING = frozenset({"try", "light", "inert"})
 """``starts to brake``: what is begun is told after it."""
 

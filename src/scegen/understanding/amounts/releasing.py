@@ -173,14 +173,15 @@ def order(text: Telling) -> None:
         phrase = _then(before, doing, text) if not together else None
         basis = Basis(*phrase) if phrase is not None else doing.basis
         own = before.entity is doing.entity
-        mine = [a for a in acts[:n] if a.entity is doing.entity and a.i != doing.i]
+        sure = [a for a in acts[:n] if a.always and a.i != doing.i]
+        mine = [a for a in sure if a.entity is doing.entity]
         told = before.always or bool(before.amounts) or doing.always
         if phrase is not None and (told or not own):
             doing.when = Trigger("after", basis, _at_once(before, doing, text), before)
-        elif doing.forced and before.always and not own and not together:
+        elif doing.forced and sure and sure[-1].entity is not doing.entity and not together:
             basis = basis.because("what one has to do answers what the other does")
-            doing.when = Trigger("after", basis, act=before, since="begin")
-        elif mine and mine[-1].always and doing.always:
+            doing.when = Trigger("after", basis, act=sure[-1], since="begin")
+        elif mine and doing.always:
             reason = "what one does in turn happens in the order of the text"
             at_once = _at_once(mine[-1], doing, text)
             basis = at_once.basis if at_once is not None else basis.because(reason)
