@@ -7,10 +7,13 @@ from dataclasses import dataclass
 from functools import lru_cache
 from math import cos, pi, sin
 
+import numpy as np
+
 from scegen.claims.boxes import Boxes
 from scegen.claims.straightened import Axis, axis_of
 from scegen.claims.view import View
-from scegen.motion.batch.arrays import Bools, Floats
+from scegen.motion.batch.arrays import COS, SIN, Bools, Floats, Ints, X, Y
+from scegen.motion.batch.kernels import kernel
 from scegen.road import build_network
 from scegen.road.cross_section import CROSSWALK_MIDDLE_M, median_half_m
 from scegen.road.geometry import Pose
@@ -48,9 +51,19 @@ class Arm:
         dx, dy = box.x - self.x_m, box.y - self.y_m
         return dx * self.cos + dy * self.sin, dy * self.cos - dx * self.sin
 
+    def comes_to(self, view: View, name: str, along_m: Floats | float) -> Ints:
+        """The first step in which somebody's centre is farther than that from the outer end (c,).
+
+        All steps where it never is.
+        """
+        line = (self.x_m, self.y_m, self.cos, self.sin)
+        ahead_m = view.body(name).centre_ahead_m
+        places = np.full(view.count, along_m)
+        return _first_along(view.laid, view.index[name], ahead_m, line, places)
+
     def on_it(self, box: Boxes) -> Bools:
         """Whether its centre is between the edges of the carriageway."""
-        _, offset = self.place(box)
+        offset = (box.y - self.y_m) * self.cos - (box.x - self.x_m) * self.sin
         return (offset > self.edges_m[0]) & (offset < self.edges_m[1])
 
     def facing(self, box: Boxes) -> Floats:
@@ -60,6 +73,24 @@ class Arm:
     def lane_in_m(self, number: int) -> float:
         """Offset of the middle of a lane that leads in, to the left of the centre line; from 1."""
         return self.inward * (self.inner_m + (number - 0.5) * self.lane_width_m)
+
+
+@kernel
+def _first_along(
+    tracks: Floats, who: int, ahead_m: float, line: tuple[float, ...], along_m: Floats
+) -> Ints:
+    """The first step in which a body is so far along a line (begin and direction) (c,)."""
+    found = np.full(tracks.shape[0], tracks.shape[3])
+    x, y, cos, sin = line
+    for c in range(tracks.shape[0]):
+        track = tracks[c, who]
+        for t in range(tracks.shape[3]):
+            dx = track[X, t] + ahead_m * track[COS, t] - x
+            dy = track[Y, t] + ahead_m * track[SIN, t] - y
+            if dx * cos + dy * sin > along_m[c]:
+                found[c] = t
+                break
+    return found
 
 
 def arms_of(view: View) -> tuple[Arm, ...]:

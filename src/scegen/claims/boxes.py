@@ -6,10 +6,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scegen.claims.series import greatest
+from scegen.claims.series import clipped
 from scegen.claims.view import View
+from scegen.measures.bodies import body_of
+from scegen.measures.boxes import track_box
 from scegen.measures.contact import first_touches
 from scegen.motion.batch.arrays import COS, SIN, Bools, Floats, Ints, X, Y
+from scegen.motion.batch.kernels import kernel
+from scegen.motion.batch.touching import place_in
 from scegen.scenario.bodies import Body
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Side
@@ -52,19 +56,19 @@ class Free(NamedTuple):
     right: Floats
 
 
-def boxes(view: View, name: str) -> Boxes:
-    """The box of an entity over time (c, t), in the frame of the road."""
+def boxes(view: View, name: str, steps: int | None = None) -> Boxes:
+    """The box of an entity over time, or its first steps (c, t), in the frame of the road."""
 
     def make() -> Boxes:
-        track = view.laid[:, view.index[name]]
+        track = view.laid[:, view.index[name], :, :steps]
         return around(view.body(name), *(track[:, row] for row in (X, Y, COS, SIN)))
 
-    return view.once(("boxes", name), make)
+    return view.once(("boxes", name, steps), make)
 
 
 def box_at(view: View, name: str, step: Ints | int) -> Boxes:
     """The box of an entity at a step of each candidate (c,), in the frame of the road."""
-    at = np.minimum(np.maximum(step, 0), view.steps - 1)
+    at = clipped(np.asarray(step), 0, view.steps - 1)
 
     def make() -> Boxes:
         rows = np.arange(view.count) if np.ndim(at) else slice(None)
@@ -169,15 +173,29 @@ def passes(view: View, name: str, other: str) -> tuple[Floats, Floats]:
 
 
 def _passes(view: View, name: str, other: str) -> tuple[Floats, Floats]:
-    own, frame = boxes(view, name), boxes(view, other)
-    x, y = offset(frame, own)
-    cos = same_way(frame, own)
-    half = frame.half_length + own.half_length
-    beside = (np.abs(y) < _BESIDE_M) & (cos > _SAME_WAY)
-    behind = np.maximum.accumulate(np.where(beside, -half - x, -_MUCH_M), axis=1)
-    passed = np.minimum(behind, np.where(beside, x - half, -_MUCH_M))
-    most, step = greatest(passed)
+    who = view.index[name], view.index[other]
+    most, step = _passed(view.laid, *who, view.scene.bodies)
     return most, view.time_of(step)
+
+
+@kernel
+def _passed(tracks: Floats, own: int, other: int, bodies: Floats) -> tuple[Floats, Ints]:
+    """How far one gets past another after it was behind that one, m, and in which step (c,)."""
+    most, step = np.full(tracks.shape[0], -np.inf), np.zeros(tracks.shape[0], dtype=np.int64)
+    own_body, other_body = body_of(bodies, own), body_of(bodies, other)
+    half = other_body.half_length_m + own_body.half_length_m
+    for c in range(tracks.shape[0]):
+        behind = -_MUCH_M
+        for t in range(tracks.shape[3]):
+            frame = track_box(tracks[c, other], other_body, t)
+            box = track_box(tracks[c, own], own_body, t)
+            passed, (x, y) = -_MUCH_M, place_in(frame, box)
+            if abs(y) < _BESIDE_M and frame.cos * box.cos + frame.sin * box.sin > _SAME_WAY:
+                behind, passed = max(behind, -half - x), x - half
+            passed = min(behind, passed)
+            if passed > most[c]:
+                most[c], step[c] = passed, t
+    return most, step
 
 
 class Contact(NamedTuple):

@@ -35,10 +35,7 @@ def lateral_m(view: View, name: str, drive: Drive | None, steps: int | None = No
 
 def _lateral(view: View, name: str, drive: Drive | None, upto: int) -> Floats:
     if drive is None:
-        box = boxes(view, name)
-        box = box._replace(
-            x=box.x[:, :upto], y=box.y[:, :upto], cos=box.cos[:, :upto], sin=box.sin[:, :upto]
-        )
+        box = boxes(view, name, upto)
         x, y, cos, sin = (values[:, :1] for values in (box.x, box.y, box.cos, box.sin))
         return offset(box._replace(x=x, y=y, cos=cos, sin=sin), box)[1]
     entry, leaving = (arms_of(view)[arm] for arm in (drive.entry, drive.exit))

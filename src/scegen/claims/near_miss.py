@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from scegen.claims.series import clipped, filled
 from scegen.claims.view import View
 from scegen.measures.registry import measure_named
 from scegen.motion.batch.arrays import Floats
@@ -49,4 +50,4 @@ def near_miss(view: View, pair: tuple[str, str]) -> Floats:
 def _inside(view: View, pair: tuple[str, str], band: Band) -> Floats:
     value = view.of_pair(measure_named(band.measure).field, *pair)
     margin = np.minimum(value - band.low, band.high - value) / (band.high - band.low)
-    return np.clip(np.nan_to_num(margin, nan=_NEVER, neginf=_NEVER), _NEVER, 1.0)
+    return clipped(filled(margin, _NEVER), _NEVER, 1.0)

@@ -43,6 +43,8 @@ def greatest_runs(
     end = begin.copy()
     change = np.zeros(begin.shape)
     _find(np.ascontiguousarray(speed_mps), float(sense), least, most, begin, end, change)
+    if count == 1:
+        return [Run(begin[:, 0], end[:, 0], change[:, 0])]
     order = np.argsort(np.where(change > 0.0, begin, speed_mps.shape[1] + 1), axis=1)
     begin, end = (np.take_along_axis(steps, order, axis=1) for steps in (begin, end))
     change = np.take_along_axis(change, order, axis=1)

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import TypeVar
 
 import numpy as np
 
 from scegen.motion.batch.arrays import Bools, Floats, Ints
+from scegen.motion.batch.kernels import kernel
+
+Numbers = TypeVar("Numbers", Floats, Ints)
 
 
 def filled(values: Floats, undefined: float) -> Floats:
@@ -14,27 +18,61 @@ def filled(values: Floats, undefined: float) -> Floats:
     return np.where(np.isnan(values), undefined, values)
 
 
+def clipped(values: Numbers, low: float, high: float) -> Numbers:
+    """The values, none less or greater than these (numpy.clip takes three times as long)."""
+    return np.minimum(np.maximum(values, low), high)
+
+
 def first(flags: Bools) -> Ints:
     """The first step that is so; the number of steps where none is (c,)."""
-    found = np.where(flags.any(axis=1), flags.argmax(axis=1), flags.shape[1])
-    return np.asarray(found, dtype=np.int64)
+    step = flags.argmax(axis=1)
+    return np.asarray(np.where(flags[np.arange(len(flags)), step], step, flags.shape[1]))
 
 
 def at(series: Floats, step: Ints) -> Floats:
     """A series at a step of each candidate, clipped to its ends (c,)."""
-    return series[np.arange(len(series)), np.clip(step, 0, series.shape[1] - 1)]
+    return series[np.arange(len(series)), clipped(step, 0, series.shape[1] - 1)]
 
 
-def greatest(series: Floats) -> tuple[Floats, Ints]:
-    """The greatest value, and the first step that has it (c,) each."""
-    step = np.asarray(series.argmax(axis=1), dtype=np.int64)
-    return at(series, step), step
+def greatest(
+    series: Floats, since: Ints | None = None, until: Ints | None = None
+) -> tuple[Floats, Ints]:
+    """The greatest value, and the first step that has it (c,) each.
+
+    If steps are given, of those alone, both included; -inf in step 0 where there are none.
+    """
+    if since is None and until is None:
+        step = np.asarray(series.argmax(axis=1), dtype=np.int64)
+        return at(series, step), step
+    return _greatest(series, 1.0, *_bounds(series, since, until))
 
 
-def least(series: Floats) -> tuple[Floats, Ints]:
-    """The least value, and the first step that has it (c,) each."""
-    step = np.asarray(series.argmin(axis=1), dtype=np.int64)
-    return at(series, step), step
+def least(
+    series: Floats, since: Ints | None = None, until: Ints | None = None
+) -> tuple[Floats, Ints]:
+    """The least value, likewise; inf where there are none."""
+    if since is None and until is None:
+        step = np.asarray(series.argmin(axis=1), dtype=np.int64)
+        return at(series, step), step
+    value, step = _greatest(series, -1.0, *_bounds(series, since, until))
+    return -value, step
+
+
+def _bounds(series: Floats, since: Ints | None, until: Ints | None) -> tuple[Ints, Ints]:
+    """The first and the last step that count (c,) each."""
+    begin = np.zeros(len(series), dtype=np.int64) if since is None else since
+    return begin, np.full(len(series), series.shape[1] - 1) if until is None else until
+
+
+@kernel
+def _greatest(series: Floats, sense: float, since: Ints, until: Ints) -> tuple[Floats, Ints]:
+    """The greatest of the values times a sense, 1 or -1, and the first step that has it (c,)."""
+    most, step = np.full(series.shape[0], -np.inf), np.zeros(series.shape[0], dtype=np.int64)
+    for c in range(series.shape[0]):
+        for t in range(max(since[c], 0), min(until[c] + 1, series.shape[1])):
+            if sense * series[c, t] > most[c]:
+                most[c], step[c] = sense * series[c, t], t
+    return most, step
 
 
 def chosen(rows: Sequence[Sequence[Floats]], choose: Callable[..., Ints]) -> tuple[Floats, ...]:
@@ -46,18 +84,33 @@ def chosen(rows: Sequence[Sequence[Floats]], choose: Callable[..., Ints]) -> tup
     return tuple(values[pick, np.arange(len(pick))] for values in columns)
 
 
-def lasting(series: Floats, steps: int) -> Floats:
-    """The greatest value over every window of so many steps."""
-    kept, covered = series, 1
-    while covered < min(steps, series.shape[1]):
-        more = min(covered, min(steps, series.shape[1]) - covered)
-        kept, covered = np.maximum(kept[:, :-more], kept[:, more:]), covered + more
-    return kept
+@kernel
+def least_lasting(series: Floats, steps: int) -> tuple[Floats, Ints]:
+    """Of all windows of so many steps, the least of their greatest values, and where it begins."""
+    least, begin = np.full(series.shape[0], np.inf), np.zeros(series.shape[0], dtype=np.int64)
+    steps = min(steps, series.shape[1])
+    for c in range(series.shape[0]):
+        t = 0
+        while t + steps <= series.shape[1]:
+            greatest, last = -np.inf, t + steps - 1
+            while last >= t and series[c, last] < least[c]:
+                greatest, last = max(greatest, series[c, last]), last - 1
+            if last < t:
+                least[c], begin[c] = greatest, t
+            # No window that holds a value as great as the least so far is one with less.
+            t = max(t, last) + 1
+    return least, begin
 
 
-def longest_run(flags: Bools) -> tuple[Floats, Floats]:
+@kernel
+def longest_run(flags: Bools) -> tuple[Ints, Ints]:
     """Length of the longest run of True in steps, and the step where it begins (c,) each."""
-    position = np.arange(1, flags.shape[1] + 1)
-    broken = np.maximum.accumulate(np.where(flags, 0, position), axis=1)
-    longest, end = greatest(np.where(flags, position - broken, 0.0))
-    return longest, end + 1 - longest
+    longest, begin = np.zeros((2, flags.shape[0]), dtype=np.int64)
+    for c in range(flags.shape[0]):
+        since = 0
+        for t in range(flags.shape[1]):
+            if not flags[c, t]:
+                since = t + 1
+            elif t + 1 - since > longest[c]:
+                longest[c], begin[c] = t + 1 - since, since
+    return longest, begin

@@ -9,6 +9,7 @@ from scegen.claims.series import at, first
 from scegen.claims.told import Told
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Floats, Ints
+from scegen.motion.batch.kernels import kernel
 from scegen.scenario.acts import LEAVING, Act, ActKind
 from scegen.scenario.logical import Drive
 from scegen.scenario.vocabulary import Approach, HazardKind, Side
@@ -101,8 +102,19 @@ def _sense(act: Act) -> float:
 
 def _leaves_line(view: View, name: str, drive: Drive | None) -> Ints:
     """The step in which somebody was last on its line before it left it; all steps if never."""
-    moved = np.abs(lateral_m(view, name, drive))
-    gone = first(moved > LEAVES_M)
-    before = np.arange(view.steps) < gone[:, None]
-    held = np.where(before & (moved < HELD_M), np.arange(view.steps), 0).max(axis=1)
-    return np.where(gone < view.steps, held, view.steps).astype(np.int64)
+    return _last_held(lateral_m(view, name, drive))
+
+
+@kernel
+def _last_held(moved: Floats) -> Ints:
+    """When somebody who has come so far aside (c, t) was last on its line (c,)."""
+    found = np.full(moved.shape[0], moved.shape[1])
+    for c in range(moved.shape[0]):
+        held = 0
+        for t in range(moved.shape[1]):
+            if abs(moved[c, t]) > LEAVES_M:
+                found[c] = held
+                break
+            if abs(moved[c, t]) < HELD_M:
+                held = t
+    return found

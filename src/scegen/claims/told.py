@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.concrete import door_of
@@ -65,7 +66,7 @@ class Told:
         """What somebody does, in order."""
         return tuple(act for act in self.functional.acts if act.participant == name)
 
-    @property
+    @cached_property
     def hazards(self) -> tuple[Hazard, ...]:
         """The dangers, with everybody named who causes and who suffers them.
 
@@ -100,7 +101,7 @@ class Told:
         known = {p.id for p in self.people}
         return {other for pair in pairs if name in pair for other in pair} & known - {name}
 
-    @property
+    @cached_property
     def doors(self) -> dict[str, str]:
         """Whose the doors are that open."""
         acts = (act for act in self.functional.acts if act.kind is ActKind.OPEN_DOOR)

@@ -21,7 +21,7 @@ from scegen.measures.following import gaps_behind
 from scegen.measures.grounds import Ground
 from scegen.measures.tables import Tables
 from scegen.motion.batch.arrays import SPEED, BatchTraces, Floats, Ints, S
-from scegen.motion.batch.kernels import inner_kernel, kernel
+from scegen.motion.batch.kernels import kernel
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario
 
@@ -146,12 +146,32 @@ class View:
 
         In the first ``steps``, or all.
         """
+        return self._behind(gaps_behind, follower, leader, steps)
+
+    def headway_s(self, follower: str, leader: str, steps: int | None = None) -> Floats:
+        """Time headway; inf where there is none (no leader, or the follower stands).
+
+        In the first ``steps``, or all.
+        """
+        return self._behind(_headways_behind, follower, leader, steps)
+
+    def follows(self, follower: str, leader: str) -> bool:
+        """Whether the leader's way ever leads along the follower's, as far as that is measured."""
+        return self._first_row(follower, leader) >= 0
+
+    def _first_row(self, follower: str, leader: str) -> int:
+        """Where the table of who follows whom begins for these two (see ``FollowTable``)."""
         found = self.pair(follower, leader)
-        first = -1 if found is None else int(self.scene.following.first[found])
-        i, j = self.index[follower], self.index[leader]
+        return -1 if found is None else int(self.scene.following.first[found])
+
+    def _behind(
+        self, series: Callable[..., Floats], follower: str, leader: str, steps: int | None
+    ) -> Floats:
+        """A series (c, t) of one behind another."""
+        i, j, first = self.index[follower], self.index[leader], self._first_row(follower, leader)
         rear_m, front_m = self.scene.following.rear_m, self.body(follower).front_m
         tracks = self.traces.tracks if steps is None else self.traces.tracks[..., :steps].copy()
-        return gaps_behind(tracks, i, j, front_m, rear_m, first)
+        return series(tracks, i, j, front_m, rear_m, first)
 
     def room_m(self, name: str, other: str) -> Floats:
         """Way left until the other's: the next conflict area or the other's rear; nan: neither."""
@@ -163,10 +183,20 @@ class View:
 
     def reaches_s(self, name: str, place_m: float) -> Floats:
         """When somebody first reaches a place on its path; inf: never (c,)."""
-        key = ("reaches", name, place_m)
-        return self.once(
-            key, lambda: _reach_s(self.traces.tracks, self.index[name], place_m, self.dt_s)
-        )
+
+        def make() -> Floats:
+            step = self.beyond(name, np.nextafter(place_m, -np.inf))
+            return np.where(step < self.steps, self.time_of(step), np.inf)
+
+        return self.once(("reaches", name, place_m), make)
+
+    def beyond(self, name: str, place_m: Floats | float, ahead_m: float = 0.0) -> Ints:
+        """The first step in which what lies so far ahead of it is beyond a place of its path (c,).
+
+        All steps where it never is.
+        """
+        places = np.full(self.count, place_m)
+        return _first_beyond(self.traces.tracks, self.index[name], ahead_m, places)
 
     def areas(self, name: str, other: str) -> list[Ground]:
         """The grounds that two use, in the order of the paths."""
@@ -178,15 +208,6 @@ class View:
         edges = zip(table.enter_m[rows].tolist(), table.leave_m[rows].tolist(), strict=True)
         return [Ground(come[i], go[i], come[j], go[j]) for come, go in edges]
 
-    def headway_s(self, follower: str, leader: str, steps: int | None = None) -> Floats:
-        """Time headway; inf where there is none (no leader, or the follower stands).
-
-        In the first ``steps``, or all.
-        """
-        speed = self.speed_mps(follower)[:, :steps]
-        headway = self.gap_m(follower, leader, steps) / np.maximum(speed, 1.0)
-        return np.where(np.isnan(headway) | (speed < 1.0), np.inf, headway)
-
     def acceleration_mps2(self, name: str, over_s: float) -> Floats:
         """Mean accelerations over a time."""
         n = max(1, round(over_s / self.dt_s))
@@ -197,28 +218,30 @@ class View:
         """Lateral accelerations on the path."""
         return self.speed_mps(name) ** 2 * self.ways[name].curvature_1pm(self.place_m(name))
 
-    def when(self, series: Floats) -> Floats:
-        """Time of the greatest value."""
-        time_s: Floats = np.argmax(series, axis=1) * self.dt_s
-        return time_s
 
-
-@inner_kernel
-def reaches_s(place_m: Floats, goal_m: float, dt_s: float) -> float:
-    """When a place of a series (t,) first comes up to a goal; inf: never."""
-    for t in range(place_m.shape[0]):
-        if place_m[t] >= goal_m:
-            return t * dt_s
-    return np.inf
+@kernel
+def _first_beyond(tracks: Floats, who: int, ahead_m: float, place_m: Floats) -> Ints:
+    """The first step in which somebody is beyond a place, see :meth:`View.beyond` (c,)."""
+    found = np.full(tracks.shape[0], tracks.shape[3])
+    for c in range(tracks.shape[0]):
+        for t in range(tracks.shape[3]):
+            if tracks[c, who, S, t] + ahead_m > place_m[c]:
+                found[c] = t
+                break
+    return found
 
 
 @kernel
-def _reach_s(tracks: Floats, participant: int, place_m: float, dt_s: float) -> Floats:
-    """When somebody first reaches a place on its path; inf: never (c,)."""
-    reached = np.empty(tracks.shape[0])
-    for c in range(tracks.shape[0]):
-        reached[c] = reaches_s(tracks[c, participant, S], place_m, dt_s)
-    return reached
+def _headways_behind(
+    tracks: Floats, follower: int, leader: int, front_m: float, rear_m: Floats, first: int
+) -> Floats:
+    """Time headways, s; the arguments are those of ``gaps_behind``."""
+    out = gaps_behind(tracks, follower, leader, front_m, rear_m, first)
+    for c in range(out.shape[0]):
+        for t in range(out.shape[1]):
+            speed = abs(tracks[c, follower, SPEED, t])
+            out[c, t] = out[c, t] / speed if out[c, t] >= 0.0 and speed >= 1.0 else np.inf
+    return out
 
 
 def view_of(

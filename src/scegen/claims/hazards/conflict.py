@@ -11,6 +11,7 @@ import numpy as np
 from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.in_line import merges_ahead
 from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most, part
+from scegen.claims.series import least
 from scegen.claims.view import View
 from scegen.claims.ways import Way
 from scegen.motion.batch.arrays import Floats
@@ -84,9 +85,10 @@ def drives_on(view: View, by: str, to: str) -> list[Part]:
         shared = [area.enter_m for area in view.areas(by, to)]
         until = max(min(shared), way.turn_start_m + _IN_M) if shared else way.turn_end_m
         near = (place > way.turn_start_m - _BEFORE_LINE_M) & (place < until)
-    slowest = np.where(near, view.speed_mps(by), np.inf)
-    speed, time_s = slowest.min(axis=1), view.when(-slowest)
-    drives = at_least("slowest speed at the line", speed, limits.DRIVES_ON, time_s, bound)
+    speed, step = least(np.where(near, view.speed_mps(by), np.inf))
+    drives = at_least(
+        "slowest speed at the line", speed, limits.DRIVES_ON, view.time_of(step), bound
+    )
     return [closeness(view, by, to), drives]
 
 

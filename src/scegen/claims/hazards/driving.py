@@ -9,7 +9,7 @@ import numpy as np
 from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.in_line import leads, leads_once
 from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
-from scegen.claims.series import at, lasting, longest_run
+from scegen.claims.series import at, greatest, least_lasting, longest_run
 from scegen.claims.view import View
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.scenario.speed_limits import limit_for_kind_mps
@@ -23,10 +23,9 @@ _HARSH_MPS2 = 3.0
 
 def speeding(view: View, by: str, _: str) -> list[Part]:
     """Drives clearly faster than its roads allow."""
-    speed = view.speed_mps(by)
-    way = view.ways[by]
+    way, (fastest, step) = view.ways[by], greatest(view.speed_mps(by))
     bound = limits.SPEEDING.value * limit_for_kind_mps(way.participant.kind, way.limit_mps)
-    return [at_least("speed", speed.max(axis=1), limits.SPEEDING, view.when(speed), bound)]
+    return [at_least("speed", fastest, limits.SPEEDING, view.time_of(step), bound)]
 
 
 def slow_driving(view: View, by: str, _: str) -> list[Part]:
@@ -36,10 +35,9 @@ def slow_driving(view: View, by: str, _: str) -> list[Part]:
     if way.turn_end_m > way.turn_start_m:
         counts &= view.place_m(by) < way.turn_start_m
     steps = round(limits.SLOW_FOR_S / view.dt_s)
-    slow = lasting(np.where(counts, speed, np.inf), steps)
-    time_s = view.when(-slow)
+    slow, begins = least_lasting(np.where(counts, speed, np.inf), steps)
     bound = limits.SLOW.value * way.limit_mps
-    return [at_most("speed", slow.min(axis=1), limits.SLOW, time_s, bound)]
+    return [at_most("speed", slow, limits.SLOW, view.time_of(begins), bound)]
 
 
 def possible(view: View, limit: limits.Threshold, best_mps2: float = inf) -> float:
@@ -53,17 +51,16 @@ def braking_part(view: View, by: str, limit: limits.Threshold) -> Part:
     braking = -view.acceleration_mps2(by, limits.MEASURED_OVER_S)
     # One who reaches the end of its way is taken off its feet, which is no braking.
     ends = view.place_m(by)[:, -braking.shape[1] :] >= view.ways[by].path.length_m - _AT_END_M
-    braking = np.where(ends, 0.0, braking)
+    hardest, step = greatest(np.where(ends, 0.0, braking))
     bound = possible(view, limit, view.body(by).max_deceleration_mps2)
-    return at_least("deceleration", braking.max(axis=1), limit, view.when(braking), bound)
+    return at_least("deceleration", hardest, limit, view.time_of(step), bound)
 
 
 def sudden_acceleration(view: View, by: str, _: str) -> list[Part]:
     """Accelerates harshly."""
-    gain = view.acceleration_mps2(by, limits.MEASURED_OVER_S)
+    gain, step = greatest(view.acceleration_mps2(by, limits.MEASURED_OVER_S))
     bound = possible(view, limits.ACCELERATION, view.body(by).max_acceleration_mps2)
-    time_s = view.when(gain)
-    return [at_least("acceleration", gain.max(axis=1), limits.ACCELERATION, time_s, bound)]
+    return [at_least("acceleration", gain, limits.ACCELERATION, view.time_of(step), bound)]
 
 
 def hard_braking(view: View, by: str, _: str) -> list[Part]:
@@ -98,8 +95,8 @@ def stopping(view: View, by: str, _: str) -> list[Part]:
         # Waiting at the end of the road is the end of the scenario, no danger.
         stands &= all_along | (place < way.path.length_m - _AT_END_M)
     longest, begins = longest_run(stands)
-    held = longest * view.dt_s
-    return [at_least("standstill", held, limits.STANDS, begins * view.dt_s)]
+    held = view.time_of(longest)
+    return [at_least("standstill", held, limits.STANDS, view.time_of(begins))]
 
 
 SPEEDING = Predicate(speeding, pairwise=False, conflict=True)

@@ -7,12 +7,16 @@ from __future__ import annotations
 
 import numpy as np
 
-from scegen.claims.boxes import boxes, clear_aside_m, offset, same_way, seen
+from scegen.claims.boxes import boxes, offset, same_way
 from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
-from scegen.claims.series import at, filled, first, lasting
+from scegen.claims.series import at, filled, first, least_lasting
 from scegen.claims.view import View
-from scegen.motion.batch.arrays import Bools, Floats
+from scegen.measures.bodies import body_of
+from scegen.measures.boxes import track_box
+from scegen.motion.batch.arrays import Floats, Ints
+from scegen.motion.batch.kernels import kernel
+from scegen.motion.batch.touching import place_in, reach_in
 
 _SAME_WAY = 0.9
 
@@ -23,16 +27,38 @@ def comes_in_ahead(view: View, by: str, to: str, _: Floats) -> Part:
     Of those who do not touch one is wholly ahead then. Open where it never comes in, or touches
     the other before.
     """
-    frame, box = boxes(view, to), boxes(view, by)
-    there = seen(frame, box)
-    beside = clear_aside_m(frame, there) > 0.0
-    inside = ~beside & (same_way(frame, box) > _SAME_WAY)
-    time = np.arange(view.steps) * view.dt_s
-    touch = filled(view.of_pair("contact_s", by, to), np.inf)[:, None]
-    comes = np.maximum.accumulate(beside, axis=1) & _begins(inside) & (time <= touch + view.dt_s)
-    front = np.where(comes, there.front, -np.inf)
-    ahead = np.where(comes.any(axis=1), front.max(axis=1), np.inf)
-    return at_least("front ahead as it comes in", ahead, limits.AHEAD, view.when(front))
+    touch_s = filled(view.of_pair("contact_s", by, to), np.inf)
+    who = view.index[by], view.index[to]
+    front, step = _front_as_it_comes(view.laid, *who, view.scene.bodies, touch_s, view.dt_s)
+    ahead = np.where(front > -np.inf, front, np.inf)
+    return at_least("front ahead as it comes in", ahead, limits.AHEAD, view.time_of(step))
+
+
+@kernel
+def _front_as_it_comes(
+    tracks: Floats, by: int, to: int, bodies: Floats, touch_s: Floats, dt_s: float
+) -> tuple[Floats, Ints]:
+    """How far its front is ahead of the other's middle, at the most, m, and in which step (c,).
+
+    -inf where it does not come in from beside before they touch.
+    """
+    farthest, step = np.full(tracks.shape[0], -np.inf), np.zeros(tracks.shape[0], dtype=np.int64)
+    own, other = body_of(bodies, by), body_of(bodies, to)
+    for c in range(tracks.shape[0]):
+        was_beside, was_inside = False, False
+        for t in range(tracks.shape[3]):
+            if t * dt_s > touch_s[c] + dt_s:
+                break
+            frame, box = track_box(tracks[c, to], other, t), track_box(tracks[c, by], own, t)
+            (x, y), (along, across) = place_in(frame, box), reach_in(frame, box)
+            half = frame.half_width
+            beside = max(y - across - half, -half - (y + across)) > 0.0
+            inside = not beside and frame.cos * box.cos + frame.sin * box.sin > _SAME_WAY
+            was_beside = was_beside or beside
+            if was_beside and inside and not was_inside and x + along > farthest[c]:
+                farthest[c], step[c] = x + along, t
+            was_inside = inside
+    return farthest, step
 
 
 def merges_ahead(view: View, by: str, to: str, time_s: Floats) -> Part:
@@ -40,13 +66,6 @@ def merges_ahead(view: View, by: str, to: str, time_s: Floats) -> Part:
     if view.ways[by].changes:
         return comes_in_ahead(view, by, to, time_s)
     return at_least("front ahead", np.full(view.count, np.inf), limits.AHEAD, time_s)
-
-
-def _begins(flags: Bools) -> Bools:
-    """The steps in which something is so that was not before (c, t)."""
-    before = np.zeros_like(flags)
-    before[:, 1:] = flags[:, :-1]
-    return flags & ~before
 
 
 def leads(view: View, by: str, to: str, time_s: Floats) -> Part:
@@ -68,8 +87,8 @@ def _not_behind(gap_m: Floats, time_s: Floats) -> Part:
 def tailgating(view: View, by: str, to: str) -> list[Part]:
     """Keeps less than the least gap of adaptive cruise control, for a second."""
     steps = round(limits.TAILGATING_FOR_S / view.dt_s)
-    held = lasting(view.headway_s(by, to), steps)
-    return [at_most("headway", held.min(axis=1), limits.TAILGATING, view.when(-held))]
+    held, begins = least_lasting(view.headway_s(by, to), steps)
+    return [at_most("headway", held, limits.TAILGATING, view.time_of(begins))]
 
 
 def faces(view: View, by: str, to: str, time_s: Floats) -> Part:

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-import numpy as np
-
 from scegen.claims.hazards.thresholds import Threshold
+from scegen.claims.series import clipped, filled
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Floats
 
@@ -73,5 +72,5 @@ def part(
     name: str, value: Floats, bound: float, limit: Threshold, margin: Floats, time_s: Floats
 ) -> Part:
     """A condition by its margin, whose scale is the limit's."""
-    relative = np.nan_to_num(margin / limit.scale, nan=NEVER, posinf=-NEVER, neginf=NEVER)
-    return Part(name, value, bound, limit.unit, margin, np.clip(relative, NEVER, -NEVER), time_s)
+    relative = clipped(filled(margin / limit.scale, NEVER), NEVER, -NEVER)
+    return Part(name, value, bound, limit.unit, margin, relative, time_s)

@@ -6,6 +6,7 @@ import numpy as np
 
 from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
+from scegen.claims.series import greatest, least
 from scegen.claims.view import View
 from scegen.measures.distance import distance_series
 from scegen.motion.batch.arrays import SPEED, Bools, Floats
@@ -29,8 +30,8 @@ def reversing(view: View, by: str, to: str) -> list[Part]:
     if view.ways[to].path.length_m > 0.0:  # one that stands is never past
         counts &= view.place_m(to) < passes_m
     went = np.where(counts, gone, 0.0)
-    time_s = view.when(np.cumsum(went, axis=1))
-    far = at_least("driven backwards", went.sum(axis=1), limits.REVERSED, time_s)
+    _, step = greatest(np.cumsum(went, axis=1))
+    far = at_least("driven backwards", went.sum(axis=1), limits.REVERSED, view.time_of(step))
     return [far, _near(view, by, to, counts)]
 
 
@@ -41,8 +42,8 @@ def _near(view: View, by: str, to: str, counts: Bools) -> Part:
     steps = np.arange(counts.shape[1])
     since = np.maximum.accumulate(np.where(counts, steps, -_MUCH_M), axis=1)
     meanwhile = steps - since <= limits.REVERSED_FOR_S / view.dt_s
-    apart = np.where(meanwhile, apart, np.inf)
-    return at_most("distance meanwhile", apart.min(axis=1), limits.NEAR, view.when(-apart))
+    nearest, step = least(np.where(meanwhile, apart, np.inf))
+    return at_most("distance meanwhile", nearest, limits.NEAR, view.time_of(step))
 
 
 def _into_the_way(view: View, by: str, to: str, place_m: Floats) -> tuple[Bools, Floats]:

@@ -10,7 +10,7 @@ from scegen.claims.hazards.conflict import conflict
 from scegen.claims.hazards.driving import braking_part, possible
 from scegen.claims.hazards.in_line import comes_in_ahead, faces
 from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
-from scegen.claims.series import chosen
+from scegen.claims.series import chosen, greatest, least
 from scegen.claims.view import View
 from scegen.claims.ways import Sideways
 from scegen.scenario.vocabulary import HazardKind
@@ -44,14 +44,13 @@ def cut_in(view: View, by: str, to: str) -> list[Part]:
     if not changes:
         return conflict(view, by, to)
     lateral = _lateral_part(view, by, changes)
-    headway = view.headway_s(to, by)
-    time = np.arange(headway.shape[1]) * view.dt_s
+    headway, time_s = view.headway_s(to, by), view.traces.time_s
     gaps = np.full(view.count, np.inf)
     for change in changes:
-        begin = view.reaches_s(by, change.start_m)[:, None]
-        end = view.reaches_s(by, change.end_m)[:, None] + _AFTER_S
-        inside = (time >= begin) & (time <= end)
-        gaps = np.minimum(gaps, np.where(inside, headway, np.inf).min(axis=1))
+        begins = np.searchsorted(time_s, view.reaches_s(by, change.start_m))
+        ends_s = view.reaches_s(by, change.end_m) + _AFTER_S
+        ends = np.searchsorted(time_s, ends_s, side="right") - 1
+        gaps = np.minimum(gaps, least(headway, begins, ends)[0])
     pet = view.of_pair("pet_s", by, to)
     # Where the other's way joins only here, the gap at the merge point is what PET says.
     gaps = np.fmin(gaps, np.abs(pet))
@@ -100,10 +99,10 @@ def sudden_turn(view: View, by: str, _: str) -> list[Part]:
         return [_lateral_part(view, by, aside)]
     way, place = view.ways[by], view.place_m(by)
     inside = (place >= way.turn_start_m - 1.0) & (place <= way.turn_end_m + 1.0)
-    lateral = np.where(inside, view.lateral_mps2(by), 0.0)
+    most, step = greatest(np.where(inside, view.lateral_mps2(by), 0.0))
     limit = limits.LATERAL_ACCELERATION
     bound = possible(view, limit)
-    return [at_least("lateral acceleration", lateral.max(axis=1), limit, view.when(lateral), bound)]
+    return [at_least("lateral acceleration", most, limit, view.time_of(step), bound)]
 
 
 CUT_IN = Predicate(cut_in, order=comes_in_ahead)

@@ -75,8 +75,7 @@ def _happens(told: Told, act: Act, view: View) -> Judged:
 
 def _rests(told: Told, act: Act, view: View) -> Judged:
     """How slow it becomes once it has begun to slow down."""
-    later = np.arange(view.steps) >= act_begins(told, act, view)[:, None]
-    slowest, step = least(np.where(later, view.speed_mps(act.participant), np.inf))
+    slowest, step = least(view.speed_mps(act.participant), since=act_begins(told, act, view))
     return Judged((tolerances.STANDS_MPS - slowest) * KPH, slowest * KPH, view.time_of(step))
 
 
@@ -95,8 +94,8 @@ def _to_a_side(told: Told, act: Act) -> Iterator[Claim]:
 def _aside(told: Told, act: Act, far: float, view: View) -> Judged:
     """How far it comes to that side from where the act begins."""
     moved, begins = to_its_side(told, act, view), sideways_begin(told, act, view)
-    later = np.arange(view.steps) >= begins[:, None]
-    most, step = greatest(np.where(later, moved - at(moved, begins)[:, None], 0.0))
+    farthest, step = greatest(moved, since=begins)
+    most = np.maximum(farthest - at(moved, begins), 0.0)
     # Who hits the one beside it comes no farther.
     far_m = np.where(hits(told, act, view), min(far, SWERVES_M), far)
     return Judged(most - far_m, most, view.time_of(step))
@@ -117,9 +116,8 @@ def _passes_there(told: Told, act: Act, view: View) -> Judged:
 
 def _into(told: Told, act: Act, view: View) -> Judged:
     """After it has begun to move sideways, its centre comes into the other's lane."""
-    begun = np.arange(view.steps) >= act_begins(told, act, view)[:, None]
     away = np.abs(offset(boxes(view, act.into or told.ego), boxes(view, act.participant))[1])
-    nearest, step = least(np.where(begun, away, np.inf))
+    nearest, step = least(away, since=act_begins(told, act, view))
     margin = tolerances.SAME_LANE_M - nearest
     margin = np.where(hits(told, act, view), np.maximum(margin, 0.0), margin)
     return Judged(margin, nearest, view.time_of(step))

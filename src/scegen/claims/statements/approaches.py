@@ -9,7 +9,6 @@ import numpy as np
 
 from scegen.claims.boxes import Boxes, Seen, box_at, course, seen
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged
-from scegen.claims.series import first
 from scegen.claims.told import Told, either, plain
 from scegen.claims.tolerances import SAME_LANE_M
 from scegen.claims.view import View
@@ -123,7 +122,7 @@ def _judge(told: Told, name: str, reference: str, words: frozenset[Approach], vi
             elif told.crossing(name) is not None:
                 choices.append(_crosses(view, name, reference, word))
             else:
-                choices.append(_comes(told, view, name, reference, word, turned, moves))
+                choices.append(_comes(told, view, name, reference, word, turned, moves, place.y))
     measured = turned if words <= _COURSES else place.x
     return Judged(np.max(choices, axis=0), measured, np.zeros(view.count))
 
@@ -162,8 +161,7 @@ def _course(view: View, name: str, frame: Boxes) -> Floats:
     What counts is where it is a little later, not where it heads: one who backs out may come
     forwards a hand's breadth first. Of one who stays, the heading.
     """
-    place = view.place_m(name)
-    begin, step = box_at(view, name, 0), first(place > place[:, :1] + _SETS_OUT_M)
+    begin, step = box_at(view, name, 0), view.beyond(name, view.place_m(name)[:, 0] + _SETS_OUT_M)
     turned = _towards(frame, begin, box_at(view, name, step))
     return np.where(step < view.steps, turned, course(frame, begin))
 
@@ -187,11 +185,16 @@ def _comes(
     word: Approach,
     turned: Floats,
     moves: Bools,
+    aside: Floats,
 ) -> Floats:
-    """For one who drives by its course, else (or on the same road) by where it is."""
-    step = view.step_of(view.of_pair("closest_s", name, reference))
-    aside = seen(box_at(view, reference, step), box_at(view, name, step)).y
-    start = seen(box_at(view, reference, 0), box_at(view, name, 0)).y
+    """For one who drives by its course, else (or on the same road) by where it is at first.
+
+    For one who stays, by where it is when they are nearest.
+    """
+    if not moves.all():
+        step = view.step_of(view.of_pair("closest_s", name, reference))
+        nearest = seen(box_at(view, reference, step), box_at(view, name, step)).y
+        aside = np.where(moves, aside, nearest)
     if word is Approach.OPPOSITE:
         keeps_right = told.functional.junction.driving_side is DrivingSide.RIGHT
         side = 1.0 if keeps_right else -1.0
@@ -202,7 +205,7 @@ def _comes(
     along = np.cos(np.radians(turned)) > _SAME_WAY
     if any(isinstance(a, Walking) and a.participant == name for a in told.logical.assignments):
         along = np.abs(np.cos(np.radians(turned))) > _SAME_WAY  # beside the road, either way
-    place = (side * np.where(moves, start, aside) - _BESIDE_M) * _DEG_PER_M
+    place = (side * aside - _BESIDE_M) * _DEG_PER_M
     return np.where(moves & ~along, _by_course(word, turned), place)
 
 

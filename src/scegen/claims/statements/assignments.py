@@ -11,7 +11,7 @@ import numpy as np
 from scegen.claims.arms import arms_of
 from scegen.claims.boxes import box_at, boxes, same_way, seen, to_side
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, always
-from scegen.claims.series import at, first
+from scegen.claims.series import at
 from scegen.claims.statements.touching import touched
 from scegen.claims.told import Told, either
 from scegen.claims.tolerances import SAME_LANE_M, STANDS_MPS
@@ -179,7 +179,7 @@ def _comes_in(drive: Drive, off_its_side: bool, view: View) -> Judged:
 def _in_the_ring(drive: Drive, ego: Drive, view: View) -> Judged:
     """How long before the ego it comes in; it does, and an ego that never does comes last."""
     own, others = (
-        view.time_of(first(arm.place(boxes(view, one.participant))[0] > arm.length_m))
+        view.time_of(arm.comes_to(view, one.participant, arm.length_m))
         for one, arm in ((one, arms_of(view)[one.entry]) for one in (drive, ego))
     )
     never = own >= view.time_of(np.full(view.count, view.steps))

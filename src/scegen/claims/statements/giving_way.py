@@ -10,14 +10,14 @@ import numpy as np
 
 from scegen.claims.boxes import boxes, offset, same_way
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, rule_claim
-from scegen.claims.series import at, chosen, first
+from scegen.claims.series import at, chosen, clipped, first
 from scegen.claims.statements.rules import rests_at_line
 from scegen.claims.told import Told, plain
 from scegen.claims.tolerances import TIME_S
-from scegen.claims.view import View, reaches_s
+from scegen.claims.view import View
 from scegen.measures.grounds import Ground, grounds
 from scegen.motion.batch.arrays import Floats, S
-from scegen.motion.batch.kernels import kernel
+from scegen.motion.batch.kernels import inner_kernel, kernel
 from scegen.motion.rules.giving_way import CLEAR_S, TOGETHER_S, Duty, must_give_way
 from scegen.scenario.acts import LETS_BY, Act
 
@@ -63,7 +63,7 @@ def _lets_by(name: str, other: str, view: View) -> Judged:
         comes = view.reaches_s(name, ground.enter_m)
         with np.errstate(invalid="ignore"):
             own = np.where(np.isfinite(comes), comes - they_go, _ENOUGH_S)
-        own = np.clip(np.where(np.isfinite(they_go), own, -NEVER), -NEVER, _ENOUGH_S) + TIME_S
+        own = clipped(np.where(np.isfinite(they_go), own, -NEVER), -NEVER, _ENOUGH_S) + TIME_S
         found.append((own, np.where(np.isfinite(they_go), they_go, 0.0)))
     margin, time_s = chosen(found, np.argmin)
     return Judged(margin, margin, time_s)
@@ -131,14 +131,23 @@ def _time_left_s(
     for c in range(tracks.shape[0]):
         own, theirs = tracks[c, name, S], tracks[c, other, S]
         for ground in shared:
-            comes, they_come = reaches_s(own, ground[0], dt_s), reaches_s(theirs, ground[2], dt_s)
+            comes, they_come = _reaches_s(own, ground[0], dt_s), _reaches_s(theirs, ground[2], dt_s)
             if max(comes, they_come) == np.inf:
                 continue
-            goes, they_go = reaches_s(own, ground[1], dt_s), reaches_s(theirs, ground[3], dt_s)
+            goes, they_go = _reaches_s(own, ground[1], dt_s), _reaches_s(theirs, ground[3], dt_s)
             between = max(comes - they_go, they_come - goes - clear_s, -_ENOUGH_S)
             if between < left_s[c]:
                 left_s[c], time_s[c] = between, comes
     return left_s, time_s
+
+
+@inner_kernel
+def _reaches_s(place_m: Floats, goal_m: float, dt_s: float) -> float:
+    """When a place of a series (t,) first comes up to a goal; inf: never."""
+    for t in range(place_m.shape[0]):
+        if place_m[t] >= goal_m:
+            return t * dt_s
+    return np.inf
 
 
 def _grounds(view: View, name: str, other: str) -> list[Ground]:

@@ -85,8 +85,8 @@ def _stays_in_lane(drive: Drive, view: View) -> Judged:
     name = drive.participant
     arm = arms_of(view)[drive.entry]
     # Beyond the junction it may come beside its own arm again.
-    there = np.maximum.accumulate(arm.place(boxes(view, name))[0] > arm.straight_m, axis=1)
-    aside = np.where(there, 0.0, np.abs(lateral_m(view, name, drive)))
+    there = arm.comes_to(view, name, arm.straight_m)[:, None]
+    aside = np.where(np.arange(view.steps) < there, np.abs(lateral_m(view, name, drive)), 0.0)
     most, step = greatest(aside)
     return Judged(SAME_LANE_M - most, most, view.time_of(step))
 

@@ -67,6 +67,8 @@ def _apart(pairs: list[tuple[str, str]], view: View) -> Judged:
     """The shortest headway at first of those who follow another that moves, too."""
     least = np.full(view.count, np.inf)
     for follower, leader in pairs:
+        if not view.follows(follower, leader):
+            continue
         moves = view.speed_mps(leader)[:, 0] > STANDS_MPS
         headway = view.headway_s(follower, leader, steps=1)[:, 0]
         least = np.where(moves, np.minimum(least, headway), least)

@@ -11,7 +11,7 @@ import numpy as np
 from scegen.claims.boxes import contact, free, seen
 from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, best_of, within
 from scegen.claims.near_miss import near_miss
-from scegen.claims.series import filled
+from scegen.claims.series import clipped, filled
 from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import Told, amount
 from scegen.claims.tolerances import PERCENT
@@ -88,7 +88,7 @@ def _touch(told: Told, outcome: Outcome, view: View) -> Judged:
     for pair in pairs_of(told, outcome, view):
         time_s = view.of_pair("contact_s", *pair)
         apart = filled(view.of_pair("distance_m", *pair), NEVER)
-        slow = np.clip(_MET_MPS - view.of_pair("impact_mps", *pair), 0.0, None)
+        slow = np.maximum(_MET_MPS - view.of_pair("impact_mps", *pair), 0.0)
         margin = np.maximum(margin, -np.where(np.isnan(time_s), apart, slow))
         when = np.fmin(when, time_s)
     return Judged(margin, -margin, when)
@@ -117,7 +117,7 @@ def _impact(told: Told, outcome: Outcome, wanted: Interval, view: View) -> Judge
     met = contact(view, *pair)
     aside = seen(met.first, met.second).y
     # The middle of who is met may lie beyond the ego's side: what is hit is its edge.
-    percent = np.clip(50.0 - 100.0 * aside / (2.0 * met.first.half_width), 0.0, 100.0)
+    percent = clipped(50.0 - 100.0 * aside / (2.0 * met.first.half_width), 0.0, 100.0)
     margin = np.where(met.happens, within(percent, wanted, PERCENT), np.nan)
     return Judged(margin, percent, met.time_s)
 
@@ -178,7 +178,7 @@ def _untouched(
         ends = np.stack([np.minimum(over_s[a], over_s[b]) for a, b in known], axis=1)
         excused = time_s > ends
         time_s, apart = np.where(excused, np.nan, time_s), np.where(excused, NEVER, apart)
-    depth = np.nan_to_num(np.clip(-view.summary.pet_s[:, measured], 0.0, 3.0), nan=1.0)
+    depth = filled(clipped(-view.summary.pet_s[:, measured], 0.0, 3.0), 1.0)
     value = np.where(np.isnan(time_s), apart, -1.0 - depth)
     worst = np.arange(view.count), value.argmin(axis=1)
     margin = np.minimum(value[worst], NEVER)

@@ -120,7 +120,7 @@ def _off_kerb(name: str, view: View) -> Ints:
     """The step at which the front of one who crosses comes over the kerb (c,)."""
     motion = view.concrete.participant(name).motion
     setback_m = motion.setback_m if isinstance(motion, CrossingMotion) else 0.0
-    return first(view.place_m(name) > setback_m - view.body(name).front_m)
+    return view.beyond(name, setback_m - view.body(name).front_m)
 
 
 def _light(view: View, arm: int, *, afoot: bool = False) -> tuple[SignalPlan, SignalGroup] | None:
@@ -221,5 +221,4 @@ def _passes_dark(drive: Drive, view: View) -> Judged:
 
 def _over_line(name: str, view: View, beyond_m: float = 0.0) -> Ints:
     """The step at which its front goes over the line, so far at least (c,)."""
-    front = view.place_m(name) + view.body(name).front_m
-    return first(front > view.ways[name].line_m + beyond_m)
+    return view.beyond(name, view.ways[name].line_m + beyond_m, view.body(name).front_m)

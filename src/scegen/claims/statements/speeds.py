@@ -14,7 +14,7 @@ from scegen.claims.arms import arms_of
 from scegen.claims.boxes import boxes
 from scegen.claims.claim import Claim, ClaimKind, Judged, Test, within
 from scegen.claims.moments import act_begins, speed_runs
-from scegen.claims.series import at, chosen, filled, first, greatest
+from scegen.claims.series import at, chosen, filled, greatest, least
 from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import KPH, Told, speed_words
 from scegen.claims.tolerances import SPEED_MPS, STANDS_MPS
@@ -127,19 +127,17 @@ def _walks(crossing: Crossing, wanted: Interval, view: View) -> Judged:
 def _holds(told: Told, person: Participant, wanted: Interval, view: View) -> Judged:
     until = _held_until(told, person, view)
     until = np.maximum(until, round(_FIRST_S / view.dt_s))
-    inside = np.arange(view.steps) <= until[:, None]
     speed = view.speed_mps(person.id)
-    off = np.where(inside, np.abs(speed - wanted.middle), -1.0)
-    step = off.argmax(axis=1)
+    _, step = greatest(np.abs(speed - wanted.middle), until=until)
     worst = at(speed, step)
     return Judged(within(worst, wanted, SPEED_MPS) * KPH, worst * KPH, view.time_of(step))
 
 
 def _no_slower(told: Told, person: Participant, view: View) -> Judged:
     """The most by which it is ever slower than at first."""
-    inside = np.arange(view.steps) <= _held_until(told, person, view)[:, None]
     speed = view.speed_mps(person.id)
-    lost, step = greatest(np.where(inside, speed[:, :1] - speed, 0.0))
+    slowest, step = least(speed, until=_held_until(told, person, view))
+    lost = speed[:, 0] - slowest
     return Judged((SPEED_MPS - lost) * KPH, lost * KPH, view.time_of(step))
 
 
@@ -211,10 +209,9 @@ def _before_turn(told: Told, name: str, view: View) -> Ints:
     if drive is None:
         return np.full(view.count, view.steps)
     arm = arms_of(view)[drive.entry]
-    along, _ = arm.place(boxes(view, name))
-    speed = view.speed_mps(name)[:, :1]
-    room: Floats = speed**2 / (2.0 * _COMFORT_MPS2) + _BEFORE_TURN_M
-    return first(arm.length_m - along < room)
+    speed = view.speed_mps(name)[:, 0]
+    room = speed**2 / (2.0 * _COMFORT_MPS2) + _BEFORE_TURN_M
+    return arm.comes_to(view, name, arm.length_m - room)
 
 
 def _may_react(told: Told, name: str) -> bool:

@@ -9,11 +9,11 @@ import numpy as np
 
 from scegen.claims.arms import arms_of
 from scegen.claims.boxes import boxes
-from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, always
+from scegen.claims.claim import Claim, ClaimKind, Judged, always
 from scegen.claims.series import at, least
 from scegen.claims.told import Told, plain
 from scegen.claims.view import View
-from scegen.motion.batch.arrays import Bools, Floats
+from scegen.motion.batch.arrays import Floats
 from scegen.road.cross_section import LANE_TYPES
 from scegen.scenario.acts import ActKind
 from scegen.scenario.functional import Participant
@@ -64,6 +64,5 @@ def _on_it(told: Told, name: str, strip: Strip, view: View, *, stays: bool) -> J
     inside = np.minimum(out - band[0], band[1] - out)
     if isinstance(assignment, Drive) and assignment.reverses is Reverses.SQUARE:
         inside = out - band[0]  # a bay square to the road is as deep as that takes
-    later: Bools = np.arange(view.steps) > (view.last_step[:, None] if stays else 0)
-    worst, step = least(np.where(later, NEVER, inside))
+    worst, step = least(inside, until=view.last_step if stays else np.zeros_like(view.last_step))
     return Judged(worst, at(out, step), view.time_of(step))
