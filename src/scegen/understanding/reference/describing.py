@@ -228,9 +228,10 @@ def _aside(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> Non
             if isinstance(noun, Mention) and noun.opened_by("indef"):
                 noun.negated = True
         called = event.nouns("to", "in", "with") if "calls" in event.data else []
-        for who in (n for n in called if isinstance(n, Mention) and n is not event.object):
-            away = who.noun == "pedestrian" and id(who) not in acting
-            who.negated = who.negated or (away and all(i < event.i for i in again))
+        for who in (n for n in called if isinstance(n, Mention)):
+            away = who.noun == "pedestrian" and who is not event.object
+            away = who.is_mass or (away and all(i < event.i for i in again))
+            who.negated = who.negated or (away and id(who) not in acting)
         said = [*event.subject, *event.nouns("to")] if "says" in event.data else []
         for who in (n for n in said if isinstance(n, Mention)):
             onlooks = any("onlooker" in h.data for h in who.heads)
