@@ -110,7 +110,8 @@ def read(text: str) -> FunctionalScenario:
     require_traffic(terms, tokens)
     junction = read_junction(terms, tokens)
     surroundings = read_surroundings(terms, tokens)
-    lengthwise = read_lengthwise(terms)
+    kerb = (surroundings.side or DrivingSide.RIGHT).value
+    lengthwise = read_lengthwise(terms, kerb)
     terms = settle_sides(terms, surroundings.side)
     terms = count_places(terms, tokens)
     chunks = Chunker(terms, tokens).run()
@@ -128,7 +129,7 @@ def read(text: str) -> FunctionalScenario:
     names_another(events)
     draft = Draft(text, tokens)
     draft.ramp = lengthwise.auxiliary[1] if lengthwise.auxiliary is not None else None
-    draft.kerb = (surroundings.side or DrivingSide.RIGHT).value
+    draft.kerb = kerb
     shared = share_arms(chunks, events)
     resolve_mentions(chunks, events, Roster(draft, tokens, _arms(junction)))
     count_arms(shared, junction)

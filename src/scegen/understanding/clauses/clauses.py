@@ -100,7 +100,7 @@ class ClauseReader:
             who = state.candidate
             somewhere = who is not None and any(p.predicate for p in who.pps)
             state.being = who if somewhere or "aux:be" in state.between else None
-            state.between.discard("aux:be")  # "was tired and did not notice the van"
+            state.between -= {"aux:be", "copy"}  # "was tired and …", "there's no arrow and a van"
         if word.value == "where":
             self._where()
         if word.cat == "sub" and self._put_between():

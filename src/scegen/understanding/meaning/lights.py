@@ -25,7 +25,7 @@ _COLOURS = {"green": AtLight.GREEN, "red": AtLight.RED, "amber": AtLight.AMBER,
 _HALTING = frozenset({"stop", "slow", "brake", "wait", "hard_brake"})
 _GOING = frozenset({"enter", "cross", "move", "turn", "accelerate", "speed", "pull_out", "approach",
                     "sharp_turn", "cut_in"})  # fmt: skip
-_SETS_OFF = _GOING | {"leave", "try", "walk", "dash"}
+_SETS_OFF = _GOING | {"leave", "try", "walk", "dash", "breach"}
 _COMES = frozenset({"approach", "encounter", "inert"})
 _SIDES = frozenset({"lateral", "left", "right"})
 
@@ -173,15 +173,20 @@ def _answer(light: _Light, change: Clause, clauses: list[Clause], context: Conte
         _note(entity, meets, change.words, context)
     here = [c for c in clauses if c.event.sentence == event.sentence and not c.event.negated]
     for clause in here if colour is AtLight.RED else []:  # who keeps the rules stops there
-        if clause.event.name == "approach" and _link(clause, change, context) != "after":
+        after = _link(clause, change, context) == "after" and not event.perfect
+        if clause.event.name == "approach" and not after:
             for entity in clause.drivers:
                 _note(entity, AtLight.STOPS, _joined(event, clause.event), context)
 
 
 def _link(clause: Clause, change: Clause, context: Context) -> str | None:
-    """The conjunction by which a change hangs on what is told right before it."""
+    """The conjunction by which a change hangs on what is told right before it.
+
+    ``goes on a light that has turned red``: after that.
+    """
     between = [t.low for t in context.tokens[clause.event.j : change.event.i]]
-    return next((word for word in between[::-1] if word in word_list("at_a_change")), None)
+    over = "after" if change.event.perfect and between else None
+    return next((word for word in between[::-1] if word in word_list("at_a_change")), over)
 
 
 def _meets(colour: AtLight, clause: Clause, link: str | None) -> AtLight | None:

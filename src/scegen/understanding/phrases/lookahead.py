@@ -129,8 +129,8 @@ def predicate_opens(chunk: Chunk) -> bool:
 
 
 def main_verb_follows(chunks: list[Chunk], k: int) -> bool:
-    """Whether another verb makes the clause after a participle with a phrase of place."""
-    preposed = governed = False
+    """Whether another verb makes the clause after a participle with a phrase or an object."""
+    governed = preposed = isinstance(chunk_at(chunks, k + 1), Mention)
     for chunk in chunks[k + 1 : k + _CLAUSE]:
         if isinstance(chunk, Event):
             close = chunk is chunks[k + 1] and chunk.form == "s"  # "the car overtaken speeds up"

@@ -47,7 +47,7 @@ def describe(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> N
         if isinstance(chunk, Mention):
             chunk.sides |= _sides(chunk.pps)
     _people_in_traffic(chunks, events, tokens)
-    _aside(chunks, events)
+    _aside(chunks, events, tokens)
     _chases(events)
     stand_for_vehicles(chunks, events, tokens)
     _left_standing(events)
@@ -216,21 +216,26 @@ def _along(mention: Mention) -> bool:
     return False
 
 
-def _aside(chunks: list[Chunk], events: list[Event]) -> None:
+def _aside(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> None:
     """``officers said …``, ``she said I was …``, ``two people were hurt``: they take no part."""
     named = [c for c in chunks if isinstance(c, Mention)]
     asked = {id(m) for m in named[:1] if is_pronoun(m) and any(map(tells, named))}
+    persons = word_list("persons")
+    again = [m.i for m in named if is_pronoun(m) and tokens[m.i].low in persons]
+    acting = {id(m) for e in events for m in e.subject}
     for event in events:
         for noun in event.nouns() if "absent" in event.data else []:
             if isinstance(noun, Mention) and noun.opened_by("indef"):
                 noun.negated = True
-        told = [p.target for p in event.pps if p.value == "to"]
-        for mention in [*event.subject, event.object, *told] if "says" in event.data else []:
-            onlooks = isinstance(mention, Mention) and any(
-                "onlooker" in h.data for h in mention.heads
-            )
-            if isinstance(mention, Mention) and (onlooks or id(mention) in asked):
-                mention.negated = True
+        called = event.nouns("to", "in", "with") if "calls" in event.data else []
+        for who in (n for n in called if isinstance(n, Mention)):
+            away = who.noun == "pedestrian" and who is not event.object
+            away = who.is_mass or (away and all(i < event.i for i in again))
+            who.negated = who.negated or (away and id(who) not in acting)
+        said = [*event.subject, *event.nouns("to")] if "says" in event.data else []
+        for who in (n for n in said if isinstance(n, Mention)):
+            onlooks = any("onlooker" in h.data for h in who.heads)
+            who.negated = who.negated or onlooks or id(who) in asked
     referred = [m.i for m in named if is_pronoun(m)]
     doing = {id(m) for e in events if e.name != "harm" for m in (*e.subject, e.object)}
     for event in (e for e in events if e.name == "harm"):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from itertools import dropwhile, islice, takewhile
+from itertools import takewhile
 
 from scegen.scenario.junction import ARM_COUNTS
 from scegen.scenario.vocabulary import JunctionKind
@@ -28,14 +28,15 @@ def away_from(terms: list[Term], k: int) -> bool:
     return between or near in {"outside", "without", "negative"}
 
 
+_NONE = frozenset({"negative", "without", "neither"})
+_LIMITS = frozenset({"verb", "aux", "neg", "prep", "actor", "pronoun", "punct", "sub", "rel"})
+
+
 def negated(terms: list[Term], k: int) -> bool:
-    """``no traffic lights``, ``without a stop sign``, ``neither lights nor signs``."""
-    before = terms[max(0, k - 3) : k]
-    listed = dropwhile(lambda t: t.cat in {"thing", "place", "conj", "det"}, reversed(terms[:k]))
-    return any(t.cat == "neg" for t in islice(listed, 1)) or any(
-        (t.cat == "det" and t.value == "negative") or t.value in {"without", "neither"}
-        for t in before
-    )
+    """``no traffic lights``, ``without any signs or lights``, ``neither lights nor signs``."""
+    limits = (t for t in reversed(terms[:k]) if t.cat in _LIMITS or t.value in _NONE)
+    last = next(limits, None)
+    return last is not None and (last.cat == "neg" or last.value in _NONE)
 
 
 _ARMS_SAID = {JunctionKind.T: 3, JunctionKind.FOUR_WAY: 4}

@@ -175,9 +175,9 @@ class Lengthwise:
     crosswalk_basis: Basis | None = None
 
 
-def read_lengthwise(terms: list[Term]) -> Lengthwise:
-    """What the words for roads say of their length."""
-    found = Lengthwise()
+def read_lengthwise(terms: list[Term], kerb: str) -> Lengthwise:
+    """What the words for roads say of their length; of lanes, only the one at the kerb ends."""
+    found, inner = Lengthwise(), _SIDES - {kerb}
     for k, term in enumerate(terms):
         if term.cat != "place":
             continue
@@ -193,7 +193,9 @@ def read_lengthwise(terms: list[Term]) -> Lengthwise:
             found.carriageway = Carriageway(term.data["carriageway"])
             found.carriageway_basis, found.presumed = basis, presumed
             found.median = "median" in term.data
-        if "auxiliary" in term.data and found.auxiliary is None:
+        ends = term.data.get("auxiliary") == AuxiliaryLane.LANE_DROP
+        built = not (ends and k and terms[k - 1].value in inner)
+        if "auxiliary" in term.data and found.auxiliary is None and built:
             found.auxiliary = AuxiliaryLane(term.data["auxiliary"]), basis
             found.alongside = "alongside" in term.data
         if term.value == "bend" and found.bend is None:

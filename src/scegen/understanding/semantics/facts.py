@@ -13,7 +13,7 @@ from scegen.understanding.semantics.marks import rounded
 from scegen.understanding.semantics.met import goal_of_contact
 
 Test: TypeAlias = Callable[[Clause, Context], bool]
-_SCREENED = 12
+_SCREENED = 20
 """Within so many words behind what one cannot see through, it hides somebody."""
 _PASSING = frozenset({"overtake", "bypass", "pass", "undertake"})
 _OF_THE_VERB = ("modal", "nominal", "passive", "perfect", "negated", "late", "unable", "reduced",

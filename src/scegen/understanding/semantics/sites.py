@@ -106,9 +106,11 @@ def _on_its_side(entity: Entity, site: Site) -> None:
 
 
 def _standing(entity: Entity, context: Context) -> set[Approach]:
-    """Where one is seen, as far as said."""
+    """Where one is seen, as far as said, or as their lanes have it."""
     told = context.draft.placements_of(entity)
-    return {a for p in told if p.reference is None or p.reference.ego for a in p.approaches}
+    seen = {a for p in told if p.reference is None or p.reference.ego for a in p.approaches}
+    lanes = [e.start_lane[0] for e in (entity, context.draft.ego) if e and e.start_lane]
+    return seen | {SIDES[lane] for lane in lanes[:1] if {*lanes} == {*SIDES}}
 
 
 def _at_sides(entity: Entity, site: Site) -> None:

@@ -29,8 +29,6 @@ def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
         for t in event.dirs
         if t.value in DIRECTIONS and low_at(tokens, t.j) != "of"  # "right of the centre line"
     }
-    if len(found) > 1 and any(low_at(tokens, t.j) == "into" for t in event.dirs):
-        found.pop(Maneuver.STRAIGHT, None)  # "turns left straight into the path of a van"
     goal = event.object if isinstance(event.object, Place) else None
     takes = goal is not None and goal.kind in _GOALS and event.lemma in word_list("taking")
     named = (p.target for p in event.pps)

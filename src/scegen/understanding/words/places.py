@@ -11,6 +11,8 @@ from scegen.understanding.words.tokens import Token
 
 _AFTER = frozenset({"punct", "conj", "sub", "quantity", "prep"})
 _OTHER = {"left": "right", "right": "left"}
+_ACROSS = [["left", "to", "right"], ["right", "to", "left"]]
+_OPENS = frozenset({"prep", "det"})
 
 
 def settle_sides(terms: list[Term], side: DrivingSide | None) -> list[Term]:
@@ -24,8 +26,10 @@ def settle_sides(terms: list[Term], side: DrivingSide | None) -> list[Term]:
     for k, t in enumerate(terms):
         near_or_far = t.cat == "dir" and t.value in values
         parked = k > 0 and terms[k - 1].value == "park" and t.cat == "dir" and t.value in _OTHER
-        if (near_or_far or parked) and _bare(terms, k, {"verb"} if parked else set()):
-            # "a child crossing, farside", "a van parked left"
+        over = [x.value for x in terms[k : k + 3]] in _ACROSS and cat_at(terms, k - 1) not in _OPENS
+        bare = near_or_far or parked
+        if over or (bare and _bare(terms, k, {"verb"} if parked else set())):
+            # "crosses, right to left", "a child crossing, farside", "a van parked left"
             found.append(Term("prep", "from", t.i, t.i))
         if t.cat == "dir" and t.value in _OTHER and _of_somebody(terms, k):
             found += [Term("prep", "to", t.i, t.i), Term("det", "def", t.i, t.i)]
