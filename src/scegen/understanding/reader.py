@@ -110,8 +110,8 @@ def read(text: str) -> FunctionalScenario:
     require_traffic(terms, tokens)
     junction = read_junction(terms, tokens)
     surroundings = read_surroundings(terms, tokens)
-    kerb = (surroundings.side or DrivingSide.RIGHT).value
-    lengthwise = read_lengthwise(terms, kerb)
+    across = "right" if surroundings.side is DrivingSide.LEFT else "left"
+    lengthwise = read_lengthwise(terms, across)
     terms = settle_sides(terms, surroundings.side)
     terms = count_places(terms, tokens)
     chunks = Chunker(terms, tokens).run()
@@ -129,11 +129,10 @@ def read(text: str) -> FunctionalScenario:
     names_another(events)
     draft = Draft(text, tokens)
     draft.ramp = lengthwise.auxiliary[1] if lengthwise.auxiliary is not None else None
-    draft.kerb = kerb
+    draft.kerb = (surroundings.side or DrivingSide.RIGHT).value
     shared = share_arms(chunks, events)
     resolve_mentions(chunks, events, Roster(draft, tokens, _arms(junction)))
     count_arms(shared, junction)
-    across = "right" if surroundings.side is DrivingSide.LEFT else "left"
     events = share_out(events, terms)
     context = Context(draft, junction, tokens, across)
     numbers = Numbers(terms, tokens, surroundings.measured)

@@ -124,8 +124,7 @@ def opens_clause(state: State) -> bool:
     opened = bool(state.fronted) and not state.events and state.candidate is None
     lane = state.at(1)
     named = isinstance(lane, Place) and lane.kind == "lane" and bool(lane.dirs)
-    by = state.fronted[-1].who if opened else None
-    known = by is not None and (by.is_ego or by.pronoun is not None)
+    known = any(who.is_ego or who.pronoun for p in state.fronted[-1:] if (who := p.who))
     begins |= opened and named and (known or "," in state.between)  # "beside it in the left lane …"
     joins = {"conj", "sub", ","} & state.between and "or" not in state.between
     inserted = {"conj", ","} <= state.between  # "a child and, behind the child, a bus"

@@ -173,19 +173,15 @@ def _answer(light: _Light, change: Clause, clauses: list[Clause], context: Conte
         _note(entity, meets, change.words, context)
     here = [c for c in clauses if c.event.sentence == event.sentence and not c.event.negated]
     for clause in here if colour is AtLight.RED else []:  # who keeps the rules stops there
-        after = _link(clause, change, context) == "after" and not event.perfect
-        if clause.event.name == "approach" and not after:
+        if clause.event.name == "approach" and _link(clause, change, context) != "after":
             for entity in clause.drivers:
                 _note(entity, AtLight.STOPS, _joined(event, clause.event), context)
 
 
 def _link(clause: Clause, change: Clause, context: Context) -> str | None:
-    """The conjunction by which a change hangs on what is told right before it.
-
-    ``goes on a light that has turned red``: after that.
-    """
+    """The conjunction by which a change, or one that is over, hangs on what is told before it."""
     between = [t.low for t in context.tokens[clause.event.j : change.event.i]]
-    over = "after" if change.event.perfect and between else None
+    over = "after" if change.event.perfect and between and clause.event.name not in _COMES else None
     return next((word for word in between[::-1] if word in word_list("at_a_change")), over)
 
 

@@ -220,8 +220,7 @@ def _aside(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> Non
     """``officers said …``, ``she said I was …``, ``two people were hurt``: they take no part."""
     named = [c for c in chunks if isinstance(c, Mention)]
     asked = {id(m) for m in named[:1] if is_pronoun(m) and any(map(tells, named))}
-    persons = word_list("persons")
-    again = [m.i for m in named if is_pronoun(m) and tokens[m.i].low in persons]
+    again = [m.i for m in named if is_pronoun(m) and tokens[m.i].low in word_list("persons")]
     acting = {id(m) for e in events for m in e.subject}
     for event in events:
         for noun in event.nouns() if "absent" in event.data else []:

@@ -129,9 +129,8 @@ def _own_people(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -
     drives = any(tokens[m.i].low == "i" or e.name in word_list("only_driven") for e, m in own)
     drives |= any(isinstance(c, Mention) and tokens[c.i].low == "me" for c in chunks)
     for who in [c for c in chunks if isinstance(c, Mention) and c.opened_by("first_person")]:
-        if tokens[who.j - 1].low not in word_list("relatives") or who.prep:
-            continue
-        if any(p.target is None or p.place or p.who for p in who.pps):
+        placed = any(p.target is None or p.place or p.who for p in who.pps)
+        if tokens[who.j - 1].low not in word_list("relatives") or who.prep or placed:
             continue  # "my wife behind me"
         done = [e for e in events if who in e.subject]
         steers = any(e.name in word_list("driven") or "drives" in e.data for e in done)

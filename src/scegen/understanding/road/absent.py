@@ -8,7 +8,7 @@ from scegen.scenario.junction import ARM_COUNTS
 from scegen.scenario.vocabulary import JunctionKind
 from scegen.understanding.entity import Basis
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.words.terms import Term
+from scegen.understanding.words.terms import NOTHING, Term
 from scegen.understanding.words.tokens import Token
 
 
@@ -21,11 +21,9 @@ def held(terms: list[Term], k: int) -> bool:
 
 def away_from(terms: list[Term], k: int) -> bool:
     """``outside a junction``, ``between two junctions``, ``without a junction``: on the road."""
-    before = [t for t in terms[max(0, k - 3) : k] if t.cat not in {"shape", "num"}]
-    last = next((t for t in reversed(before) if t.cat != "det" or t.value == "negative"), None)
-    near = last.value if last is not None else ""
-    between = near == "between" and terms[k].form == "s"
-    return between or near in {"outside", "without", "negative"}
+    before = [t.value for t in terms[max(0, k - 3) : k] if t.cat not in {"shape", "num", "det"}]
+    between = before[-1:] == ["between"] and terms[k].form == "s"
+    return negated(terms, k) or between or before[-1:] == ["outside"]
 
 
 _NONE = frozenset({"negative", "without", "neither"})
@@ -35,8 +33,8 @@ _LIMITS = frozenset({"verb", "aux", "neg", "prep", "actor", "pronoun", "punct", 
 def negated(terms: list[Term], k: int) -> bool:
     """``no traffic lights``, ``without any signs or lights``, ``neither lights nor signs``."""
     limits = (t for t in reversed(terms[:k]) if t.cat in _LIMITS or t.value in _NONE)
-    last = next(limits, None)
-    return last is not None and (last.cat == "neg" or last.value in _NONE)
+    last = next(limits, NOTHING)
+    return last.cat == "neg" or last.value in _NONE
 
 
 _ARMS_SAID = {JunctionKind.T: 3, JunctionKind.FOUR_WAY: 4}
@@ -60,11 +58,9 @@ def only_counted(terms: list[Term], k: int, tokens: list[Token]) -> int | None:
     kind = JunctionKind(term.value)
     if kind not in _ARMS_SAID or tokens[term.j - 1].low not in word_list("counting"):
         return None
-    named: str | None = None
-    for after in terms[k + 1 : k + 4]:
-        if after.cat == "shape" or (after.cat == "place" and after.value == "junction"):
-            named = after.value if after.cat == "shape" else after.data.get("kind")
-            break
+    shapes = (t for t in terms[k + 1 : k + 4] if t.cat == "shape" or t.value == "junction")
+    after = next(shapes, NOTHING)
+    named = after.value if after.cat == "shape" else after.data.get("kind")
     if named is None or named in {kind, JunctionKind.FOUR_WAY}:
         return None
     fewest, most = ARM_COUNTS[JunctionKind(named)]

@@ -93,9 +93,7 @@ def read_junction(terms: list[Term], tokens: list[Token]) -> JunctionReading:
 def _place(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Token]) -> None:
     term = terms[k]
     basis = Basis(term.i, term.j)
-    if term.value == "junction" and absent.away_from(terms, k):
-        return
-    if term.value == "junction":
+    if term.value == "junction" and not absent.away_from(terms, k):
         reading.named = reading.named or basis
         if "kind" in term.data:
             _set_kind(reading, JunctionKind(term.data["kind"]), basis)
@@ -114,11 +112,10 @@ def _place_control(
     """What stands at a place: a sign or a light, or none."""
     term = terms[k]
     control = term.data.get("control")
-    if control is None or (term.value == "stop_sign" and absent.held(terms, k)):
-        return
-    if control == Control.SIGNALS and _of_a_vehicle(terms, k, tokens):
-        return
     lights = control == Control.SIGNALS
+    carried = term.value == "stop_sign" and absent.held(terms, k)
+    if control is None or carried or (lights and _of_a_vehicle(terms, k, tokens)):
+        return
     stop = flashing(term, tokens, frozenset({"red"})) if lights else None
     off = flashing(term, tokens, word_list("flashing_colours")) if lights else None
     off = off or (out_of_order(term, tokens) if lights else None)
@@ -164,9 +161,7 @@ def _shape(reading: JunctionReading, terms: list[Term], k: int, tokens: list[Tok
     if counted is not None:
         reading.arms, reading.arms_basis = counted, Basis(term.i, term.j)
         return
-    following = next(
-        (t for t in terms[k + 1 : k + 4] if t.cat == "place" and t.value == "junction"), None
-    )
+    following = next((t for t in terms[k + 1 : k + 4] if t.value == "junction"), None)
     letter = term.j - term.i == 1 and term.value in {"t", "y"}
     named = letter and tokens[term.i].text == "T" and named_by_letter(terms, k)
     titled = term.j < len(tokens) and tokens[term.j].low == ":" and not letter

@@ -175,9 +175,9 @@ class Lengthwise:
     crosswalk_basis: Basis | None = None
 
 
-def read_lengthwise(terms: list[Term], kerb: str) -> Lengthwise:
-    """What the words for roads say of their length; of lanes, only the one at the kerb ends."""
-    found, inner = Lengthwise(), _SIDES - {kerb}
+def read_lengthwise(terms: list[Term], inner: str) -> Lengthwise:
+    """What the words for roads say of their length; of lanes, none on the inner side ends."""
+    found = Lengthwise()
     for k, term in enumerate(terms):
         if term.cat != "place":
             continue
@@ -194,7 +194,7 @@ def read_lengthwise(terms: list[Term], kerb: str) -> Lengthwise:
             found.carriageway_basis, found.presumed = basis, presumed
             found.median = "median" in term.data
         ends = term.data.get("auxiliary") == AuxiliaryLane.LANE_DROP
-        built = not (ends and k and terms[k - 1].value in inner)
+        built = not (ends and k and terms[k - 1].value == inner)
         if "auxiliary" in term.data and found.auxiliary is None and built:
             found.auxiliary = AuxiliaryLane(term.data["auxiliary"]), basis
             found.alongside = "alongside" in term.data

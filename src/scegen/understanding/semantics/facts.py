@@ -13,8 +13,6 @@ from scegen.understanding.semantics.marks import rounded
 from scegen.understanding.semantics.met import goal_of_contact
 
 Test: TypeAlias = Callable[[Clause, Context], bool]
-_SCREENED = 20
-"""Within so many words behind what one cannot see through, it hides somebody."""
 _PASSING = frozenset({"overtake", "bypass", "pass", "undertake"})
 _OF_THE_VERB = ("modal", "nominal", "passive", "perfect", "negated", "late", "unable", "reduced",
                 "finite")  # fmt: skip
@@ -85,7 +83,7 @@ FACTS: dict[str, Test] = {
         clause.event.parent is not None and clause.event.parent.negated
     ),
     "noted": lambda clause, _: any(m.cat == "noted" for m in clause.event.mods),
-    "screen_before": lambda clause, c: any(0 < clause.event.i - i < _SCREENED for i in c.screens),
+    "screen_before": lambda clause, c: any(i < clause.event.i for i in c.screens),
     "people_act": lambda clause, _: any(
         h.value == "pedestrian" for m in clause.event.subject for h in m.heads
     ),

@@ -138,8 +138,7 @@ def _owners_of(kind: str) -> Who:
 
 def _in_the_way(clause: Clause, context: Context) -> list[Entity]:
     """Who is said to keep somebody from seeing; else the one that is parked, or stands, there."""
-    named = clause.event.whom("due", "with", "for", "by")
-    named = [e for e in named if e.is_vehicle and not e.ego]
+    named = [e for e in clause.event.whom("due", "with", "for", "by") if e.is_vehicle and not e.ego]
     there = [e for e in context.draft.entities if e.parked or (e.stands and not e.ego)]
     still = [e for e in there if e not in clause.targets]
     return named or (still if len(still) == 1 else [])

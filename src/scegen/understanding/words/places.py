@@ -11,8 +11,6 @@ from scegen.understanding.words.tokens import Token
 
 _AFTER = frozenset({"punct", "conj", "sub", "quantity", "prep"})
 _OTHER = {"left": "right", "right": "left"}
-_ACROSS = [["left", "to", "right"], ["right", "to", "left"]]
-_OPENS = frozenset({"prep", "det"})
 
 
 def settle_sides(terms: list[Term], side: DrivingSide | None) -> list[Term]:
@@ -26,9 +24,8 @@ def settle_sides(terms: list[Term], side: DrivingSide | None) -> list[Term]:
     for k, t in enumerate(terms):
         near_or_far = t.cat == "dir" and t.value in values
         parked = k > 0 and terms[k - 1].value == "park" and t.cat == "dir" and t.value in _OTHER
-        over = [x.value for x in terms[k : k + 3]] in _ACROSS and cat_at(terms, k - 1) not in _OPENS
-        bare = near_or_far or parked
-        if over or (bare and _bare(terms, k, {"verb"} if parked else set())):
+        over = " ".join(x.value for x in terms[k : k + 3]) in {"left to right", "right to left"}
+        if (near_or_far or parked or over) and _bare(terms, k, {"verb"} if parked else set()):
             # "crosses, right to left", "a child crossing, farside", "a van parked left"
             found.append(Term("prep", "from", t.i, t.i))
         if t.cat == "dir" and t.value in _OTHER and _of_somebody(terms, k):
@@ -50,7 +47,7 @@ def _of_somebody(terms: list[Term], k: int) -> bool:
 def _bare(terms: list[Term], k: int, also: set[str]) -> bool:
     """Whether a side stands alone, as in "pedestrian, nearside, 5 km/h"."""
     before, after = terms[max(0, k - 1) : k], terms[k + 1 : k + 2]
-    joined = any(t.cat in {"actor", "verb", "punct"} for t in before)
+    joined = any(t.cat in {"actor", "verb", "punct", "place"} for t in before)
     return joined and all(t.cat in _AFTER | also for t in after)
 
 
