@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import groupby
+from itertools import groupby, takewhile
 
 from scegen.understanding.chunks import Event, Mention, Place, Prep
 from scegen.understanding.clauses.dependents import alternative, chain
 from scegen.understanding.clauses.located import is_it
 from scegen.understanding.clauses.state import State
-from scegen.understanding.phrases.lookahead import sentence_end
+from scegen.understanding.phrases.lookahead import ends, sentence_end
 from scegen.understanding.phrases.nominal import WAYS
 from scegen.understanding.words.terms import NOTHING, Term
 
@@ -35,6 +35,19 @@ def told_beside(state: State, *words: str) -> Mention | None:
     return next((m for m in named if m.stands_after(*words)), None)
 
 
+def met_with(event: Event, state: State) -> Mention | None:
+    """``sees a van ahead, doing 30 km/h``, ``comes up behind a van, doing 30 km/h``: who is met."""
+    last = state.last if state.last is not None and state.last.name in _MEETING else None
+    rest = [*takewhile(lambda c: c.value != "," and not ends(c), state.after(_REACH))]
+    bare = rest[:1] if last is not None and last.name == "approach" else rest
+    paced = any(c.value == "speed" or "same" in getattr(c, "dirs", ()) for c in bare)
+    named = last.nouns("behind") if last is not None and paced and event.name in _PACED else []
+    others = (n for n in named if isinstance(n, Mention) and n.heads and not n.is_ego)
+    return next(others, None)
+
+
+_MEETING = frozenset({"encounter", "approach"})
+_PACED, _REACH = frozenset({"move", "light", "crawl", "walk", "use"}), 6
 _ONES = frozenset({"brake", "hard_brake", "swerve", "lane_change", "overtake"})
 """What one does who comes up to others."""
 

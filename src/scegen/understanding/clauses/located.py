@@ -123,7 +123,7 @@ def opens_clause(state: State) -> bool:
     begins = begins and (state.anchor is None or road)  # "a kiosk on the left hides a child"
     opened = bool(state.fronted) and not state.events and state.candidate is None
     lane = state.at(1)
-    named = isinstance(lane, Place) and lane.kind == "lane" and bool(lane.dirs)
+    named = isinstance(lane, Place) and lane.kind in {"lane", "side"} and bool(lane.dirs)
     begins |= opened and named and "," in state.between  # "behind the ego, in the left lane, a …"
     joins = {"conj", "sub", ","} & state.between and "or" not in state.between
     inserted = {"conj", ","} <= state.between  # "a child and, behind the child, a bus"

@@ -53,8 +53,7 @@ def announce(chunks: list[Chunk]) -> list[Chunk]:
                 left_out |= {begin, k}
             continue
         if "mass" in who.head.data and number is not None and isinstance(again, Mention):
-            who.mods.append(number)
-            who.heads, who.head, again.same_as = again.heads, again.head, who
+            who.turns_out(again)
         elif who.plural and who.noun in _GENERIC and len(told) > 1:
             count = Term("num", "count", who.i, who.i, data={"number": float(len(told))})
             who.mods = [count, *(m for m in who.mods if m.cat != "quant")]

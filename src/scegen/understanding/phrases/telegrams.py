@@ -251,7 +251,9 @@ def _touching(chunks: list[Chunk], k: int) -> list[Chunk]:
     if chunks[k].value == "into" and _of_bodies(before) and _of_bodies(after[1:]):
         return [Event("collide", at, at, "s", lemma="hit")]
     if opens and _of_bodies(after):
-        return [Event("collide", at, at, "base", nominal=True), Term("prep", "in", at, at)]
+        aside = all(c.kind == "side" and c.owner is None for c in after if isinstance(c, Place))
+        doing = [] if aside else [Event("collide", at, at, "base", nominal=True)]
+        return [*doing, Term("prep", "in", at, at)]  # "…, right side": there it is
     return []
 
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from itertools import product
+from itertools import pairwise, product
 
 from scegen.scenario.vocabulary import ParticipantKind
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing
 from scegen.understanding.clauses.located import is_it
 from scegen.understanding.entity import Basis
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.phrases.lookahead import ends
 from scegen.understanding.reference.bonds import Bonds, bonds_of
 from scegen.understanding.reference.describing import describe
 from scegen.understanding.reference.discourse import resolve
@@ -17,7 +18,7 @@ from scegen.understanding.reference.generic import mark_generic
 from scegen.understanding.reference.mention_words import is_pronoun
 from scegen.understanding.reference.own_vehicles import is_apart, teller_goes_by
 from scegen.understanding.reference.roster import Roster
-from scegen.understanding.words.terms import Term
+from scegen.understanding.words.terms import NOTHING, Term
 
 _BACKWARDS = {"ahead": "behind", "behind": "ahead"}
 
@@ -45,9 +46,10 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], roster: Roster) -
         if chunk.whole is not None and chunk.pronoun in word_list("parts"):
             waiting.append(chunk)
             continue
-        if is_pronoun(chunk) and _named_later(chunk, chunks):
+        if is_pronoun(chunk) and _named_later(chunk, chunks, bonds.unlike[id(chunk)]):
             early.append(chunk)
             continue
+        bonds.unlike[id(chunk)] += [m for it in early for m in bonds.unlike[id(it)]]
         _resolve(chunk, roster, bonds)
         if id(chunk) in stand:
             _parked(chunk, stand[id(chunk)])
@@ -77,14 +79,16 @@ def _parked(mention: Mention, event: Event) -> None:
         entity.parked = entity.parked or (entity.is_vehicle and not entity.ego)
 
 
-def _named_later(pronoun: Mention, chunks: list[Chunk]) -> bool:
-    """``before it turns right, the ego …``: the main clause names whom "it" means."""
+def _named_later(pronoun: Mention, chunks: list[Chunk], unlike: list[NounPhrase]) -> bool:
+    """``before it turns right, the ego …``, ``with a bus behind it, the ego …``: named later."""
     opened = False
-    if any(isinstance(c, Mention) and c.entities for c in chunks):
+    known = [c for c in chunks if isinstance(c, Mention) and c.entities]
+    if any(c not in unlike for c in known):
         return False
-    for chunk in chunks:
+    for before, chunk in pairwise([NOTHING, *chunks]):
         if isinstance(chunk, Term) and chunk.i < pronoun.i:
-            opened = opened or chunk.cat == "sub"
+            opens = chunk.cat == "sub" or chunk.value == "with"
+            opened = opened or (opens and (ends(before) or not known))
         if isinstance(chunk, Term) and chunk.i > pronoun.i and chunk.value in {".", ";"}:
             return False
         if isinstance(chunk, Mention) and chunk.i > pronoun.i and chunk.heads:
