@@ -43,10 +43,8 @@ def _noun_before(word: Term, state: State) -> Mention | None:
 
 def _placed_by(landmark: Mention, state: State) -> Mention | None:
     """The noun that is said to be behind, beside, … another one."""
-    for mention in reversed(state.mentions):
-        if any(p.target is landmark and p.word.cat == "locus" for p in mention.pps):
-            return mention
-    return None
+    placed = ((m, p) for m in reversed(state.mentions) for p in m.pps if p.word.cat == "locus")
+    return next((m for m, p in placed if p.target is landmark), None)
 
 
 def release(state: State) -> None:
@@ -60,12 +58,8 @@ def release(state: State) -> None:
 def _counts_lanes(prep: Prep, before: Prep | None) -> bool:
     """``on a road with two lanes in each direction, a car …``: so many lanes, nobody is there."""
     lanes = before.place if before is not None else None
-    return (
-        prep.names("direction")
-        and lanes is not None
-        and lanes.kind == "lane"
-        and lanes.j == prep.word.i
-    )
+    right_before = lanes is not None and lanes.kind == "lane" and lanes.j == prep.word.i
+    return right_before and prep.names("direction")
 
 
 def _shared(prep: Prep, state: State) -> None:
@@ -127,10 +121,7 @@ def _noun(prep: Prep, state: State) -> Mention | None:
 
 
 def _astern(prep: Prep, state: State) -> bool:
-    """``hits the ego, which is stationary, from behind``: it comes from there, not the ego.
-
-    So it does in "drives up to a bus from behind".
-    """
+    """``hits the ego, which is stationary, from behind``, ``drives up to a bus from behind``."""
     whom, last = prep.on_mention, state.last
     if (prep.outer, prep.value) != ("from", "behind") or last is None:
         return False

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import groupby, takewhile
+from itertools import groupby
 
 from scegen.understanding.chunks import Event, Mention, Place, Prep
 from scegen.understanding.clauses.dependents import alternative, chain
 from scegen.understanding.clauses.located import is_it
 from scegen.understanding.clauses.state import State
-from scegen.understanding.phrases.lookahead import ends, sentence_end
+from scegen.understanding.phrases.lookahead import sentence_end
 from scegen.understanding.phrases.nominal import WAYS
 from scegen.understanding.words.terms import NOTHING, Term
 
@@ -35,19 +35,6 @@ def told_beside(state: State, *words: str) -> Mention | None:
     return next((m for m in named if m.stands_after(*words)), None)
 
 
-def met_with(event: Event, state: State) -> Mention | None:
-    """``sees a van ahead, doing 30 km/h``, ``comes up behind a van, doing 30 km/h``: who is met."""
-    last = state.last if state.last is not None and state.last.name in _MEETING else None
-    rest = [*takewhile(lambda c: c.value != "," and not ends(c), state.after(_REACH))]
-    bare = rest[:1] if last is not None and last.name == "approach" else rest
-    paced = any(c.value == "speed" or "same" in getattr(c, "dirs", ()) for c in bare)
-    named = last.nouns("behind") if last is not None and paced and event.name in _PACED else []
-    others = (n for n in named if isinstance(n, Mention) and n.heads and not n.is_ego)
-    return next(others, None)
-
-
-_MEETING = frozenset({"encounter", "approach"})
-_PACED, _REACH = frozenset({"move", "light", "crawl", "walk", "use"}), 6
 _ONES = frozenset({"brake", "hard_brake", "swerve", "lane_change", "overtake"})
 """What one does who comes up to others."""
 
@@ -144,8 +131,7 @@ def joins(mention: Mention, state: State) -> bool:
         return False  # "…, and then the van brakes": what happens next
     if mention.pronoun in {"count", "one", "another"} and "," in state.between:
         return False  # "four vans, two turning left": some of them, not further ones
-    said = bool({"aux:be", "aux:have"} & state.between) or _is_somewhere(anchor, state)
-    said = said or state.being is not None
+    said = bool({"aux:be", "aux:have"} & state.between) or state.being is not None
     told = state.verb_follows or state.at(1).value == "be"
     complete = said and told  # "I'm here and a van …", "and a van is behind it"
     if complete or (state.between == {","} and not (waiting and _list_goes_on(state))):
@@ -166,12 +152,6 @@ def joins(mention: Mention, state: State) -> bool:
             event.object = mention
     state.stand_at(mention)
     return True
-
-
-def _is_somewhere(who: Mention, state: State) -> bool:
-    """``we're in the left lane of the motorway and a van …``: a clause of its own, without verb."""
-    since = [c for c in state.chunks[: state.k] if c.i >= who.j]
-    return any((c.cat, c.value) == ("aux", "be") for c in since)
 
 
 def _list_goes_on(state: State) -> bool:
@@ -221,11 +201,8 @@ def share_out(events: list[Event], terms: list[Term]) -> list[Event]:
     order, whether "respectively" is said or not. With it, the same holds for verbs ("stop and
     turn left, respectively").
     """
-    marks = [t.i for t in terms if t.value == "respectively"]
-    found: list[Event] = []
-    for event in events:
-        found += _apart(event)
-    for mark in marks:
+    found = [own for event in events for own in _apart(event)]
+    for mark in (t.i for t in terms if t.value == "respectively"):
         _verbs(found, mark)
     return found
 

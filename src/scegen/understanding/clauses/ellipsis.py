@@ -152,10 +152,7 @@ def _taken_up(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> 
 
 
 def _only_owed(events: list[Event], tokens: list[Token]) -> None:
-    """``was meant to brake but kept its speed``, ``should have stopped``: it did not.
-
-    Nor did who "ought to give way" and drives on.
-    """
+    """``was meant to brake but kept its speed``, ``should have stopped``: it did not."""
     for owed, done in zip(events, [*events[1:], *events[-1:]], strict=True):
         helped = {t.low for t in tokens[max(0, owed.i - _MOST_AFTER) : owed.i]}
         between = {t.low for t in tokens[owed.j : done.i]}

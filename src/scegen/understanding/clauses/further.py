@@ -9,8 +9,7 @@ from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import chunk_at, ends, predicate_opens
 
 _OF_ANY_KIND = frozenset({"car", "driver", "traffic"})
-_GOES_ON = frozenset({"prep", "locus", "sub", "rel", "quantity"})
-"""Behind the comma that closes what is said further of a noun."""
+_GOES_ON = frozenset({"prep", "locus", "sub", "rel", "quantity"})  # behind the second comma
 _RELATIVE = 3
 """A noun, "which", and "is"."""
 
@@ -234,7 +233,5 @@ def is_closed(state: State) -> bool:
 
 def aside(event: Event, events: list[Event]) -> bool:
     """``the ego comes to a spot where a van stops, and it …``: not what the sentence is about."""
-    return event.embedded and any(
-        e.finite and e.subject and not e.embedded and e.sentence == event.sentence and e.i < event.i
-        for e in events
-    )
+    outer = (e for e in events if e.finite and e.subject and not e.embedded and e.i < event.i)
+    return event.embedded and any(e.sentence == event.sentence for e in outer)

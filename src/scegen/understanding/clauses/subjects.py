@@ -3,19 +3,14 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Event, Mention, Place
-from scegen.understanding.clauses.coordination import (
-    auxiliary,
-    coordinate,
-    met_with,
-    no_jam,
-    told_beside,
-)
+from scegen.understanding.clauses.coordination import auxiliary, coordinate, no_jam, told_beside
 from scegen.understanding.clauses.dependents import (
     chain,
     depend,
     gerund,
     infinitive,
     let_do,
+    met_with,
     nominal,
     on_foot,
     whose_bare,
@@ -182,8 +177,8 @@ def _after_comma(event: Event, state: State) -> None:
     who = state.waiting
     beside = None
     if not event.finite:
-        beside = let_do(state) or on_foot(event, state) or told_beside(state, "with", "by")
-        beside = beside or met_with(event, state)
+        beside = let_do(state) or on_foot(event, state) or met_with(event, state)
+        beside = beside or told_beside(state, "with", "by")
     if (named := _past_an_aside(event, state)) is not None:
         event.subject = [named]
     elif event.form == "s" and state.dependent and "aux:be" in state.between and state.events:

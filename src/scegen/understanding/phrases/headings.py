@@ -263,10 +263,8 @@ def read_entries(chunks: list[Chunk]) -> list[Chunk]:
 
     A speed behind a colon is that of who opens the entry, "none" denies who does.
     """
-    left_out: set[int] = set()
-    for begin, k in sentences(chunks):
-        if chunks[k].value == ":":
-            left_out |= {*range(k, _entry(chunks[begin:k], chunks, k))}
+    titles = [(chunks[begin:k], k) for begin, k in sentences(chunks) if chunks[k].value == ":"]
+    left_out = {m for title, k in titles for m in range(k, _entry(title, chunks, k))}
     return _without(left_out, chunks)
 
 

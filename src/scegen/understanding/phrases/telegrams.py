@@ -72,11 +72,8 @@ def _before_its_side(chunks: list[Chunk], k: int) -> bool:
 
 def _after_headings(chunks: list[Chunk]) -> list[Chunk]:
     """``From the left: a truck``, ``Ego: straight``: the colon adds nothing."""
-    dropped: set[int] = set()
-    for begin, k in _headings(chunks):
-        title = chunks[begin:k]
-        if _plays(chunks, k) or _adds_nothing(title, chunks, k):
-            dropped.add(k)
+    titles = [(chunks[begin:k], k) for begin, k in _headings(chunks)]
+    dropped = {k for title, k in titles if _plays(chunks, k) or _adds_nothing(title, chunks, k)}
     return [c for k, c in enumerate(chunks) if k not in dropped]
 
 
