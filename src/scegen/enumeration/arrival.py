@@ -139,11 +139,9 @@ def _by_distance(functional: FunctionalScenario, names: list[str]) -> list[tuple
             gaps.setdefault(spacing.reference, []).append(
                 (spacing.value.middle, spacing.participant)
             )
-    found = []
-    for told in gaps.values():
-        line = [name for _, name in sorted(told, reverse=True) if name in names]
-        found += list(pairwise(line))
-    return found
+    files = (sorted(told, reverse=True) for told in gaps.values())
+    lines = ([name for _, name in file if name in names] for file in files)
+    return [pair for line in lines for pair in pairwise(line)]
 
 
 def lanes_of(

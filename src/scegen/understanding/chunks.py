@@ -134,6 +134,11 @@ class Mention(NounPhrase):
         """Whether it names many as one ("traffic", "a jam")."""
         return self.head is not None and "mass" in self.head.data
 
+    def turns_out(self, named: Mention) -> None:
+        """``oncoming traffic: two vans``, ``oncoming traffic, a van``: that is who it is."""
+        self.mods = [*self.mods, *(m for m in named.mods if m.cat == "num")]
+        self.heads, self.head, named.same_as = named.heads, named.head, self
+
 
 @dataclass(slots=True, eq=False)
 class Place(NounPhrase):

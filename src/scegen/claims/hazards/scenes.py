@@ -19,10 +19,8 @@ Pair = tuple[str, str]
 
 def judged_pairs(concrete: ConcreteScenario) -> list[Pair]:
     """Pairs whose measures a predicate asks for."""
-    pairs = []
-    for hazard in concrete.hazards:
-        pairs += [(b, v) for b, v in hazard_pairs(hazard) if b != v]
-    return list(dict.fromkeys(pairs))
+    pairs = (pair for hazard in concrete.hazards for pair in hazard_pairs(hazard))
+    return list(dict.fromkeys((b, v) for b, v in pairs if b != v))
 
 
 def occlusions(concrete: ConcreteScenario) -> list[tuple[str, str, str]]:

@@ -50,10 +50,8 @@ class Count:
 
 def words_of(scenario: FunctionalScenario, field: str) -> Words | None:
     """The words that state a field; None if none do."""
-    for item in scenario.evidence:
-        if item.field == field:
-            return _words(item)
-    return None
+    found = (item for item in scenario.evidence if item.field == field)
+    return next(map(_words, found), None)
 
 
 def counts(scenario: FunctionalScenario) -> tuple[Count, ...]:

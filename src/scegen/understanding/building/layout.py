@@ -139,10 +139,10 @@ class Layout:
 
     def _meets_the_oncoming(self) -> bool:
         """Whether somebody comes towards another, or turns back, so that no median can be there."""
-        return any(d.kind is HazardKind.ONCOMING_LANE for d in self.draft.dangers) or any(
-            Approach.OPPOSITE in entity.approaches or Maneuver.U_TURN in entity.maneuvers
-            for entity in self.draft.entities
-        )
+        known = self.draft.entities
+        meets = any(d.kind is HazardKind.ONCOMING_LANE for d in self.draft.dangers)
+        turns = any(Maneuver.U_TURN in entity.maneuvers for entity in known)
+        return meets or turns or any(Approach.OPPOSITE in entity.approaches for entity in known)
 
     def _auxiliary(self, kind: JunctionKind, used: Used) -> AuxiliaryLane | None:
         """The lane for a part of the road that somebody uses; none in a bend or at junctions."""

@@ -33,8 +33,9 @@ def _noun_before(word: Term, state: State) -> Mention | None:
     since = (c for c in state.chunks if near.j <= c.i < word.i)
     if any((c.cat, c.value) == ("quantity", "percentage") for c in since):
         return None  # "hits the rider at 20 % of its width from the left edge": where, not which
-    if near is not state.last_pp and is_it(near) and not near.mods and word.value == "in":
-        return None  # "passes it in the left lane": where it is done
+    done = near is not state.last_pp and is_it(near) and not near.mods and word.value == "in"
+    if done and near.opening != "adjacent":
+        return None  # "passes it in the left lane": where it is done; not "beside it on the right"
     told = near.pronoun is not None or near.is_me
     placed = _placed_by(near, state) if told else None
     return placed or near  # "my friend in front of me on his moped": the friend is on it, not I
@@ -42,10 +43,8 @@ def _noun_before(word: Term, state: State) -> Mention | None:
 
 def _placed_by(landmark: Mention, state: State) -> Mention | None:
     """The noun that is said to be behind, beside, … another one."""
-    for mention in reversed(state.mentions):
-        if any(p.target is landmark and p.word.cat == "locus" for p in mention.pps):
-            return mention
-    return None
+    placed = ((m, p) for m in reversed(state.mentions) for p in m.pps if p.word.cat == "locus")
+    return next((m for m, p in placed if p.target is landmark), None)
 
 
 def release(state: State) -> None:
@@ -59,12 +58,8 @@ def release(state: State) -> None:
 def _counts_lanes(prep: Prep, before: Prep | None) -> bool:
     """``on a road with two lanes in each direction, a car …``: so many lanes, nobody is there."""
     lanes = before.place if before is not None else None
-    return (
-        prep.names("direction")
-        and lanes is not None
-        and lanes.kind == "lane"
-        and lanes.j == prep.word.i
-    )
+    right_before = lanes is not None and lanes.kind == "lane" and lanes.j == prep.word.i
+    return right_before and prep.names("direction")
 
 
 def _shared(prep: Prep, state: State) -> None:
@@ -126,9 +121,12 @@ def _noun(prep: Prep, state: State) -> Mention | None:
 
 
 def _astern(prep: Prep, state: State) -> bool:
-    """``hits the ego, which is stationary, from behind``: it comes from there, not the ego."""
-    behind = (prep.outer, prep.value) == ("from", "behind")
-    return behind and "," in state.between and bool(state.events)
+    """``hits the ego, which is stationary, from behind``, ``drives up to a bus from behind``."""
+    whom, last = prep.on_mention, state.last
+    if (prep.outer, prep.value) != ("from", "behind") or last is None:
+        return False
+    up_to = whom is not None and whom.stands_after("to") and last.name in {"approach", "move"}
+    return up_to or "," in state.between
 
 
 def _told_of(prep: Prep, state: State) -> Event:
@@ -223,7 +221,8 @@ def _head_of(prep: Prep, state: State) -> Mention | None:
     if verb is None or not ego or not verb.subject:
         return None
     met = verb.name == "approach" and verb.object is inner
-    return verb.subject[-1] if met or any(p.target is inner for p in verb.pps) else None
+    placed = any(p.target is inner and p.value != "by" for p in verb.pps)
+    return verb.subject[-1] if met or placed else None
 
 
 def _described(prep: Prep, state: State) -> Mention | None:

@@ -158,7 +158,7 @@ class ClauseReader:
         before_event = before_event and (not relative or self._clause_start())
         related = "rel" in state.between and bool(state.mentions) and predicate
         noun = state.mentions[-1] if related else state.last_pp or state.anchor
-        stated = word.cat == "state" and {","} == state.between
+        stated = word.cat == "state" and (state.between == {","} or state.at(-1).value == "(")
         if opens and after_event and not state.candidate_done:
             state.ahead.append(word)  # "a cyclist riding ahead suddenly turns"
         elif copular and state.waiting is not None:

@@ -49,6 +49,20 @@ def on_foot(event: Event, state: State) -> Mention | None:
     return next(walkers, None) if event.name == "walk" else None
 
 
+_LEADS_TO_A_SPEED = {"encounter": 3, "approach": 1}
+_PACED = frozenset({"move", "light", "crawl", "walk", "use"})
+
+
+def met_with(event: Event, state: State) -> Mention | None:
+    """``sees a van ahead, doing 30 km/h``, ``comes up behind a van, doing 30 km/h``: who is met."""
+    last = state.last
+    reach = _LEADS_TO_A_SPEED.get(last.name, 0) if last and event.name in _PACED else 0
+    paced = any(c.value == "speed" or "same" in getattr(c, "dirs", ()) for c in state.after(reach))
+    named = last.nouns("behind") if last and paced else []
+    others = (n for n in named if isinstance(n, Mention) and n.heads and not n.is_ego)
+    return next(others, None)
+
+
 def _share_subject(event: Event, other: Event, state: State) -> None:
     """Who does the one does the other, also if they come later ("while making a turn, …")."""
     event.subject = other.subject

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from itertools import islice, pairwise, takewhile
+from itertools import islice, takewhile
 
 from scegen.scenario.acts import ActKind
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep
@@ -39,7 +39,7 @@ def fill_in(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> li
         if not isinstance(chunk, Mention) or id(chunk) in acting or chunk.prep is not None:
             continue
         joint, verb = chunk_at(chunks, k - 1), _verb_before(chunk.i, events)
-        joined = joint.value in _JOINTS
+        joined = joint.value in _JOINTS and cat_at(chunks, k + 1) != "aux"  # "while one is coming"
         joined = joined and "lateral" not in chunk.dirs  # "crossing car": it does that
         after = k + 2 + isinstance(chunk_at(chunks, k + 2), Mention)  # "and the taxi by the ego"
         if verb is None or verb.premod_of is not None or not joined or not _ends(chunks, after):
@@ -152,13 +152,15 @@ def _taken_up(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> 
 
 
 def _only_owed(events: list[Event], tokens: list[Token]) -> None:
-    """``was meant to brake but kept its speed``, ``should stop yet drives on``: it did not."""
-    for owed, done in pairwise(events):
+    """``was meant to brake but kept its speed``, ``should have stopped``: it did not."""
+    for owed, done in zip(events, [*events[1:], *events[-1:]], strict=True):
         helped = {t.low for t in tokens[max(0, owed.i - _MOST_AFTER) : owed.i]}
         between = {t.low for t in tokens[owed.j : done.i]}
         same = all(m in owed.subject or not m.heads for m in done.subject)
-        said = owed.modal and done.finite and same and not between.isdisjoint({"but", "yet"})
-        owed.negated = owed.negated or (said and not helped.isdisjoint(word_list("owing")))
+        said = done.finite and same and not between.isdisjoint({"but", "yet"})
+        goes = owed.name == "yield" and owed.embedded and done.name in word_list("goes")
+        undone = owed.modal and (said or goes or owed.perfect)
+        owed.negated = owed.negated or (undone and not helped.isdisjoint(word_list("owing")))
 
 
 def _is_denied(verb: Event) -> bool:
@@ -254,11 +256,13 @@ def named_again(events: list[Event]) -> None:
         own = event.parent is not None or any(m.possessor or m in owners for m in event.subject)
         later = [m for e in events if e.sentence > event.sentence for m in e.subject]
         others = any(m.pronoun in _SEVERAL or m in later for m in event.subject)
-        if event.nominal and event.form != "s" and known and (others or not own):
+        if event.nominal and event.form != "s" and (others or not own):
             kind = acts().get(event.name)
             told = [e for e in events if e.i < event.i and e.finite and kind in _done(e)]
-            subject = [] if others else event.subject
-            event.subject = list(told[-1].subject) if told and kind else subject
+            if told and kind and (known or not event.mods):  # "… the gap at braking: 15 m"
+                event.subject = list(told[-1].subject)
+            elif known and others:
+                event.subject = []
 
 
 def _done(event: Event) -> Iterator[ActKind | None]:

@@ -6,8 +6,10 @@ from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep
 from scegen.understanding.clauses.dependents import depend
 from scegen.understanding.clauses.state import State
 from scegen.understanding.lexicon import word_list
-from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at, predicate_opens
+from scegen.understanding.phrases.lookahead import chunk_at, ends, predicate_opens
 
+_OF_ANY_KIND = frozenset({"car", "driver", "traffic"})
+_GOES_ON = frozenset({"prep", "locus", "sub", "rel", "quantity"})  # behind the second comma
 _RELATIVE = 3
 """A noun, "which", and "is"."""
 
@@ -65,12 +67,16 @@ def _names_before(state: State) -> bool:
     here, before = state.at(0), state.anchor
     if state.between != {","} or not isinstance(before, Mention) or not isinstance(here, Mention):
         return False
-    following = state.at(1)
+    following, after = state.at(1), state.at(2)
     known = before.is_ego or before.label is not None or before.has("det", "def")
-    ends = known and bool(state.events) and following.value in BOUNDARIES  # "hits the SV, a car."
+    known = known or before.noun in _OF_ANY_KIND
+    closed = ends(following) or (following.value == "," and after.cat in _GOES_ON)
+    closed = (
+        known and closed and (state.candidate_done or bool(state.events))
+    )  # "hits the SV, a car.", "nears a vehicle, …"
     listed = following.cat == "conj" and state.at(-1).value != "mild"
     acts = isinstance(following, Event) and following.form != "ing"
-    named = (before.is_named or ends) and not here.is_named
+    named = (before.is_named or closed) and not here.is_named
     told = here.has("det", "indef") or (here.is_ego and bool(here.mods))
     return named and told and not (listed or acts)
 
@@ -227,7 +233,5 @@ def is_closed(state: State) -> bool:
 
 def aside(event: Event, events: list[Event]) -> bool:
     """``the ego comes to a spot where a van stops, and it …``: not what the sentence is about."""
-    return event.embedded and any(
-        e.finite and e.subject and not e.embedded and e.sentence == event.sentence and e.i < event.i
-        for e in events
-    )
+    outer = (e for e in events if e.finite and e.subject and not e.embedded and e.i < event.i)
+    return event.embedded and any(e.sentence == event.sentence for e in outer)

@@ -123,7 +123,7 @@ def opens_clause(state: State) -> bool:
     begins = begins and (state.anchor is None or road)  # "a kiosk on the left hides a child"
     opened = bool(state.fronted) and not state.events and state.candidate is None
     lane = state.at(1)
-    named = isinstance(lane, Place) and lane.kind == "lane" and bool(lane.dirs)
+    named = isinstance(lane, Place) and lane.kind in {"lane", "side"} and bool(lane.dirs)
     known = any(who.is_ego or who.pronoun for p in state.fronted[-1:] if (who := p.who))
     begins |= opened and named and (known or "," in state.between)  # "beside it in the left lane …"
     joins = {"conj", "sub", ","} & state.between and "or" not in state.between

@@ -34,7 +34,8 @@ def read_mention(mention: Mention, state: State) -> None:
     if _emphasises(mention, state):
         return
     state.mentions.append(mention)
-    state.topic = state.topic if state.awaits("of") else None  # "the view of the road is blocked"
+    within = state.awaits("of") or (state.prep is not None and state.prep.word.cat == "locus")
+    state.topic = state.topic if within else None  # "the view of the road is blocked"
     if mention.possessor:
         return
     if state.prep is not None:
@@ -128,9 +129,12 @@ def _described(mention: Mention, state: State) -> Mention | None:
     """Whom a noun says more of: "V1 is a taxi", "V1 (a taxi)", "V1, a taxi, …"."""
     if _is_predicate(mention, state):
         return state.candidate
+    told = relative_noun(state) or apposed_to(state)
     if bracketed(state) and isinstance(state.anchor, Mention):
-        return state.anchor
-    return relative_noun(state) or apposed_to(state)
+        told = state.anchor
+    if told is not None and told.is_mass and not mention.is_mass:
+        told.turns_out(mention)
+    return told
 
 
 def _is_predicate(mention: Mention, state: State) -> bool:

@@ -10,6 +10,7 @@ from scegen.understanding.clauses.dependents import (
     gerund,
     infinitive,
     let_do,
+    met_with,
     nominal,
     on_foot,
     whose_bare,
@@ -176,7 +177,8 @@ def _after_comma(event: Event, state: State) -> None:
     who = state.waiting
     beside = None
     if not event.finite:
-        beside = let_do(state) or on_foot(event, state) or told_beside(state, "with", "by")
+        beside = let_do(state) or on_foot(event, state) or met_with(event, state)
+        beside = beside or told_beside(state, "with", "by")
     if (named := _past_an_aside(event, state)) is not None:
         event.subject = [named]
     elif event.form == "s" and state.dependent and "aux:be" in state.between and state.events:

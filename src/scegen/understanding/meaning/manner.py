@@ -201,9 +201,10 @@ def _turn(chunks: list[Chunk], context: Context) -> int | None:
     lows = context.lows(0, len(context.tokens))
     if context.junction.control is Control.ALL_WAY_STOP and "first" in lows:
         return lows.index("first")
+    across = context.junction.crossing or any(map(context.comes_across, context.draft.entities))
     for before, has, what in zip(chunks, chunks[1:], chunks[2:], strict=False):
         way = isinstance(what, Place) and what.kind == "right_of_way" and not what.has("quant")
-        if way and has.value == "have" and before.cat != "neg" and context.junction.crossing:
+        if way and has.value == "have" and before.cat != "neg" and across:
             return what.i
     return None
 

@@ -152,10 +152,8 @@ class Chunker:
     def _side_before_number(self, mods: list[Term]) -> bool:
         """``from the left two cars come``: the number begins a noun phrase of its own."""
         governed = self._last is not None and self._last.cat == "prep"
-        return governed and any(
-            b.cat in {"num", "quant"} and (a.cat == "compass" or a.value in {"left", "right"})
-            for a, b in pairwise(mods)
-        )
+        before = (a for a, b in pairwise(mods) if b.cat in {"num", "quant"})
+        return governed and any(a.cat == "compass" or a.value in {"left", "right"} for a in before)
 
     def _owner(self) -> Mention | None:
         previous = self._last

@@ -52,7 +52,8 @@ def spell_out_doings(chunks: list[Chunk]) -> list[Chunk]:
 
 
 def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] | None:
-    before = value_at(chunks, k - 1) if k else "."
+    first = k - (cat_at(chunks, k - 1) == "manner")  # "unbraked collision of the ego with …"
+    before = value_at(chunks, first - 1) if first else "."
     opens = before in BOUNDARIES or (before in _JOINTS and (event.nominal or event.form == "ing"))
     if not (opens or noted(event, k, chunks)) or event.form not in {"base", "ing"}:
         return None

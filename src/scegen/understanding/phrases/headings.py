@@ -53,8 +53,7 @@ def announce(chunks: list[Chunk]) -> list[Chunk]:
                 left_out |= {begin, k}
             continue
         if "mass" in who.head.data and number is not None and isinstance(again, Mention):
-            who.mods.append(number)
-            who.heads, who.head, again.same_as = again.heads, again.head, who
+            who.turns_out(again)
         elif who.plural and who.noun in _GENERIC and len(told) > 1:
             count = Term("num", "count", who.i, who.i, data={"number": float(len(told))})
             who.mods = [count, *(m for m in who.mods if m.cat != "quant")]
@@ -264,10 +263,8 @@ def read_entries(chunks: list[Chunk]) -> list[Chunk]:
 
     A speed behind a colon is that of who opens the entry, "none" denies who does.
     """
-    left_out: set[int] = set()
-    for begin, k in sentences(chunks):
-        if chunks[k].value == ":":
-            left_out |= {*range(k, _entry(chunks[begin:k], chunks, k))}
+    titles = [(chunks[begin:k], k) for begin, k in sentences(chunks) if chunks[k].value == ":"]
+    left_out = {m for title, k in titles for m in range(k, _entry(title, chunks, k))}
     return _without(left_out, chunks)
 
 

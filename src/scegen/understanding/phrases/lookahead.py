@@ -177,6 +177,5 @@ def view_of(before: list[Chunk]) -> Thing | None:
     last = chunk_at(before, len(before) - 1)
     if isinstance(last, Thing) and last.kind == "view":
         return last
-    if len(before) == _VIEW_OF and before[1].value == "of":
-        return view_of(before[:1])
-    return None
+    of_it = len(before) == _VIEW_OF and before[1].value == "of"
+    return view_of(before[:1]) if of_it else None

@@ -18,7 +18,7 @@ VERBAL_LINKS = frozenset({"prep", "locus"})
 
 def is_nominal(mods: list[Term], head: Term, following: Term, chunks: list[Chunk]) -> bool:
     """Whether a verb form after these words is a noun ("a sudden stop")."""
-    if head.cat != "verb" or head.form == "ed":
+    if head.cat != "verb" or head.form == "ed" or "predicate" in head.data:
         return False
     previous = chunks[-1] if chunks else None
     owned = ["dir"] if isinstance(previous, Mention) and previous.possessor else []

@@ -72,11 +72,8 @@ def _before_its_side(chunks: list[Chunk], k: int) -> bool:
 
 def _after_headings(chunks: list[Chunk]) -> list[Chunk]:
     """``From the left: a truck``, ``Ego: straight``: the colon adds nothing."""
-    dropped: set[int] = set()
-    for begin, k in _headings(chunks):
-        title = chunks[begin:k]
-        if _plays(chunks, k) or _adds_nothing(title, chunks, k):
-            dropped.add(k)
+    titles = [(chunks[begin:k], k) for begin, k in _headings(chunks)]
+    dropped = {k for title, k in titles if _plays(chunks, k) or _adds_nothing(title, chunks, k)}
     return [c for k, c in enumerate(chunks) if k not in dropped]
 
 
@@ -251,7 +248,9 @@ def _touching(chunks: list[Chunk], k: int) -> list[Chunk]:
     if chunks[k].value == "into" and _of_bodies(before) and _of_bodies(after[1:]):
         return [Event("collide", at, at, "s", lemma="hit")]
     if opens and _of_bodies(after):
-        return [Event("collide", at, at, "base", nominal=True), Term("prep", "in", at, at)]
+        aside = all(c.kind == "side" and c.owner is None for c in after if isinstance(c, Place))
+        doing = [] if aside else [Event("collide", at, at, "base", nominal=True)]
+        return [*doing, Term("prep", "in", at, at)]  # "…, right side": there it is
     return []
 
 

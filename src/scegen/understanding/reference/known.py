@@ -190,9 +190,7 @@ def _definite(
     rest = [e for e in roster.entities if not e.ego]
     if reading.is_target and reading.det in {"def", "bare"} and len(rest) == 1:
         return rest  # "a pedestrian target walks …; the target is hit"
-    if others or reading.det == "bare" or restricted:
-        return others[:1]
-    return options[:1]
+    return others[:1] if others or reading.det == "bare" or restricted else options[:1]
 
 
 def _from_there(entity: Entity, reading: Reading) -> bool:

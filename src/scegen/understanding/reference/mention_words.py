@@ -206,10 +206,8 @@ def tells(mention: Mention) -> bool:
 def elsewhere(reading: Reading, mention: Mention, entity: Entity) -> bool:
     """``lead car brakes; car on the left``: a bare noun with a place of its own is another one."""
     called = reading.called - entity.named_by - word_list("wider_names")
-    if entity.ego and called and "speaks" in entity.named_by:
-        return True  # "this Audi": not the one who tells it
-    if entity.ego and mention.has("verb", "approach"):
-        return True  # "the ego turns; the approaching car …": it comes towards the ego
+    if entity.ego and (called or mention.has("verb", "approach")):
+        return True  # "the ego turns; the SUV …", "…; the approaching car …"
     if mention.sides and entity.loci and reading.det != "def":
         return True  # "a jam ahead; a car on the left"
     bare = reading.det == "bare" and not reading.dirs and reading.kind is entity.kind

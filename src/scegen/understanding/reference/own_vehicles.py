@@ -277,7 +277,7 @@ def _afoot(event: Event) -> bool:
 def _on_foot(mention: Mention, tokens: list[Token]) -> bool:
     """``I was on foot``."""
     after = [t.low for t in tokens[mention.j :][: _REACH + 1]]
-    return tells(mention) and ("on", "foot") in pairwise(after)
+    return tells(mention) and mention.prep is None and ("on", "foot") in pairwise(after)
 
 
 def is_apart(chunks: list[Chunk]) -> bool:

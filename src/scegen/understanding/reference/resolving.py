@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from itertools import product
+from itertools import pairwise, product, takewhile
 
 from scegen.scenario.vocabulary import ParticipantKind
-from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Thing
 from scegen.understanding.clauses.located import is_it
 from scegen.understanding.entity import Basis
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.phrases.lookahead import ends
 from scegen.understanding.reference.bonds import Bonds, bonds_of
 from scegen.understanding.reference.describing import describe
 from scegen.understanding.reference.discourse import resolve
@@ -17,7 +18,7 @@ from scegen.understanding.reference.generic import mark_generic
 from scegen.understanding.reference.mention_words import is_pronoun
 from scegen.understanding.reference.own_vehicles import is_apart, teller_goes_by
 from scegen.understanding.reference.roster import Roster
-from scegen.understanding.words.terms import Term
+from scegen.understanding.words.terms import NOTHING
 
 _BACKWARDS = {"ahead": "behind", "behind": "ahead"}
 
@@ -45,9 +46,10 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], roster: Roster) -
         if chunk.whole is not None and chunk.pronoun in word_list("parts"):
             waiting.append(chunk)
             continue
-        if is_pronoun(chunk) and _named_later(chunk, chunks):
+        if is_pronoun(chunk) and _named_later(chunk, chunks, bonds.unlike[id(chunk)]):
             early.append(chunk)
             continue
+        bonds.unlike[id(chunk)] += [m for it in early for m in bonds.unlike[id(it)]]
         _resolve(chunk, roster, bonds)
         if id(chunk) in stand:
             _parked(chunk, stand[id(chunk)])
@@ -62,12 +64,8 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], roster: Roster) -
 
 def _told_by_somebody(chunk: Chunk, roster: Roster) -> None:
     """``in our lane``, ``sits on my bumper``: whoever tells it takes part."""
-    if isinstance(chunk, Place | Thing):
-        ours = chunk.has("possessive", "first_person")
-    else:
-        said = any(t.low in {"my", "our"} for t in roster.tokens[chunk.i : chunk.j])
-        ours = said and not isinstance(chunk, Mention)
-    if ours:
+    said = (t.low in word_list("of_the_teller") for t in roster.tokens[chunk.i : chunk.j])
+    if not isinstance(chunk, Mention) and any(said):
         the_teller(roster, ParticipantKind.CAR, Basis(chunk.i, chunk.j))
 
 
@@ -77,19 +75,15 @@ def _parked(mention: Mention, event: Event) -> None:
         entity.parked = entity.parked or (entity.is_vehicle and not entity.ego)
 
 
-def _named_later(pronoun: Mention, chunks: list[Chunk]) -> bool:
-    """``before it turns right, the ego …``: the main clause names whom "it" means."""
-    opened = False
-    if any(isinstance(c, Mention) and c.entities for c in chunks):
-        return False
-    for chunk in chunks:
-        if isinstance(chunk, Term) and chunk.i < pronoun.i:
-            opened = opened or chunk.cat == "sub"
-        if isinstance(chunk, Term) and chunk.i > pronoun.i and chunk.value in {".", ";"}:
-            return False
-        if isinstance(chunk, Mention) and chunk.i > pronoun.i and chunk.heads:
-            return opened
-    return False
+def _named_later(pronoun: Mention, chunks: list[Chunk], unlike: list[NounPhrase]) -> bool:
+    """``before it turns right, the ego …``, ``with a bus behind it, the ego …``: named later."""
+    known = [c for c in chunks if isinstance(c, Mention) and c.entities]
+    before = pairwise([NOTHING, *(c for c in chunks if c.i < pronoun.i)])
+    openers = [b for b, c in before if c.cat == "sub" or c.value == "with"]
+    opened = any(ends(b) or not known for b in openers)
+    after = takewhile(lambda c: c.value not in {".", ";"}, (c for c in chunks if c.i > pronoun.i))
+    named = any(isinstance(c, Mention) and c.heads for c in after)
+    return opened and named and all(c in unlike for c in known)
 
 
 def _resolve(mention: Mention, roster: Roster, bonds: Bonds) -> None:

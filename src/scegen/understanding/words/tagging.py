@@ -75,9 +75,7 @@ def _verb_form(token: Token, previous: Term, tokens: list[Token]) -> str | None:
     adverb = previous.cat == "manner" and is_adverb(tokens[previous.j - 1])
     if previous.cat in {"actor", "pronoun", "rel"} or adverb:
         return suffix_form(token)
-    if after_a_phrase(token, previous, tokens):
-        return "s"
-    return None
+    return "s" if after_a_phrase(token, previous, tokens) else None
 
 
 def _is_clause(match: Match, tokens: list[Token], i: int, previous: Term) -> bool:
