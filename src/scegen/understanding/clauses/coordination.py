@@ -131,8 +131,9 @@ def joins(mention: Mention, state: State) -> bool:
         return False  # "…, and then the van brakes": what happens next
     if mention.pronoun in {"count", "one", "another"} and "," in state.between:
         return False  # "four vans, two turning left": some of them, not further ones
-    said = bool({"aux:be", "aux:have"} & state.between) or _is_somewhere(anchor, state)
-    said = said or state.being is not None
+    said = bool({"aux:be", "aux:have"} & state.between) or state.being is not None
+    since = (c for c in state.chunks[: state.k] if c.i >= anchor.j)
+    said = said or any((c.cat, c.value) == ("aux", "be") for c in since)
     told = state.verb_follows or state.at(1).value == "be"
     complete = said and told  # "I'm here and a van …", "and a van is behind it"
     if complete or (state.between == {","} and not (waiting and _list_goes_on(state))):
@@ -153,12 +154,6 @@ def joins(mention: Mention, state: State) -> bool:
             event.object = mention
     state.stand_at(mention)
     return True
-
-
-def _is_somewhere(who: Mention, state: State) -> bool:
-    """``we're in the left lane of the motorway and a van …``: a clause of its own, without verb."""
-    since = [c for c in state.chunks[: state.k] if c.i >= who.j]
-    return any((c.cat, c.value) == ("aux", "be") for c in since)
 
 
 def _list_goes_on(state: State) -> bool:
