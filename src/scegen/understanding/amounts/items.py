@@ -44,10 +44,11 @@ def _add(item: Item, danger: Danger, text: Telling) -> None:
 
 def _lie_in_the_way(danger: Danger, text: Telling) -> None:
     named = [t for t in _things(text) if t in text.draft.lying]
-    listed = any(_stands_for_others(t, text) for t in named)
+    general = [t for t in named if kind_of(t) == _ANY]  # "two obstacles: a pedestrian and a bus"
+    listed = any(" : " in text.low(t.j, text.bounds(t.i)[1]) for t in general)
     if listed and any(e.still for e in text.draft.entities):
         text.draft.dangers = [d for d in text.draft.dangers if d is not danger]
-        return  # "two obstacles: a pedestrian and a bus"
+        return
     named = [t for k, t in enumerate(named) if not _again(t, named[:k])]
     for thing in named:
         number = thing.mod("num")
@@ -72,12 +73,6 @@ def _who_reacts(thing: Thing, text: Telling) -> Entity | None:
         if scene.drivers and any(each is thing for each in scene.event.nouns()):
             return scene.drivers[0]
     return None
-
-
-def _stands_for_others(thing: Thing, text: Telling) -> bool:
-    """``two obstacles …: a pedestrian …``: a word for those who are named."""
-    colon = " : " in text.low(thing.j, text.bounds(thing.i)[1])
-    return colon and kind_of(thing) == _ANY
 
 
 def _hide(danger: Danger, text: Telling) -> None:

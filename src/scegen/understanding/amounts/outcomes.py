@@ -239,13 +239,18 @@ def impact(figure: Figure) -> bool:
     if ending is None:
         ending = Ending(OutcomeKind.COLLISION, basis, around_it(figure.i, text.ego, text))
         text.found.ending = ending
+    if figure.role == "overlap" and ending.half is not None:  # "by the left 25 % of its front"
+        ending.share = value.high
+        return True
     left = text.find("left_edge", figure.j, figure.end)
     edge = left or text.find("right_edge", figure.j, figure.end)
     mirrored = edge is not None and left is None
     if edge is not None:
         basis = Basis(basis.i, edge[1], basis.reason)
     else:
-        mirrored = ending.other is not None and _from_the_right(ending.other, text)
+        who = ending.other
+        crosses = who is not None and (Maneuver.CROSS in who.maneuvers or not who.is_vehicle)
+        mirrored = crosses and who is not None and text.context.placed(who, Approach.RIGHT)
         if value.low != _HALF:
             side = "right" if mirrored else "left"
             reason = f"counted from the {side}, from where the other comes"
@@ -255,8 +260,3 @@ def impact(figure: Figure) -> bool:
     if ending.impact is None or basis.reason is None:
         ending.impact = Amount(value, basis)
     return True
-
-
-def _from_the_right(entity: Entity, text: Telling) -> bool:
-    crosses = Maneuver.CROSS in entity.maneuvers or not entity.is_vehicle
-    return crosses and text.context.placed(entity, Approach.RIGHT)

@@ -42,7 +42,8 @@ def sets_off(figure: Figure) -> bool:
     doing = _main(figure, when) or (_starts_crossing(figure) if opened else None)
     if doing is None or (before and not opened and doing.ends_at_rest) or doing.when is not None:
         return False
-    subject = _subject(figure, when, doing)
+    # whose distance sets it off: who is named in that clause, else who acts
+    subject = next(iter(figure.last_named(when[0]) if when else []), doing.entity)
     acts = figure.text.acts(when[0], figure.i) if when is not None else []
     if any(a.entity is subject for a in acts):
         return False  # "when the truck moves over 30 m in front of it"
@@ -142,12 +143,6 @@ def _main(figure: Figure, clause: tuple[int, int, str] | None) -> Doing | None:
     if not (before or after):
         after = [a for a in here if a.i > figure.i]  # no comma: "when it is 20 m away it brakes"
     return next(iter((*before[-1:], *after)), None)
-
-
-def _subject(figure: Figure, clause: tuple[int, int, str] | None, doing: Doing) -> Entity:
-    """Whose distance sets it off: who is named in that clause, else who acts."""
-    who = figure.last_named(clause[0]) if clause is not None else []
-    return who[0] if who else doing.entity
 
 
 _PARTS = frozenset({",", "and", "but", "while", ";"})

@@ -38,7 +38,8 @@ def held(figure: Figure) -> bool:
     others = [e for e in able if e.speed not in (None, speed)]
     again = [e for e in able if e.speed_basis and figure.start <= (e.speed_basis.i or 0)]
     if able and all(e in others or e in again for e in able):
-        able = _without_speed(figure) or able  # "beside a truck, also 100 km/h"
+        named = reversed(text.spoken_of(figure.start, figure.i))  # "beside a truck, also 100 km/h"
+        able = [e for e in named if e.speed is None and not e.still][:1] or able
     for entity in able:
         if entity.speed is not None and entity.speed != speed:
             _hand_on(entity, figure)
@@ -121,12 +122,6 @@ def _meant(figure: Figure) -> list[Entity]:
     movers = [e for e in figure.actors if not e.parked]
     owned = figure.text.tokens[figure.start].low in word_list("its_own")
     return figure.subject if owned or not movers else movers
-
-
-def _without_speed(figure: Figure) -> list[Entity]:
-    """Whoever is named last before a number that cannot be the speed of who acts there."""
-    named = figure.text.spoken_of(figure.start, figure.i)
-    return [e for e in reversed(named) if e.speed is None and not e.still][:1]
 
 
 def _hand_on(entity: Entity, figure: Figure) -> None:

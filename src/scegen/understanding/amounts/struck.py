@@ -19,6 +19,7 @@ from scegen.understanding.semantics.lanes import SIDES
 from scegen.understanding.semantics.met import from_the_rear
 
 _WHOLE, _HALF, _LITTLE = 100.0, 50.0, 10.0
+_SHARE = 2
 _BODY = frozenset({"side", "front", "flank"})
 _PARTS = {side.value: side for side in BodySide}
 _ENDS = frozenset({BodySide.FRONT, BodySide.REAR})
@@ -32,15 +33,18 @@ def fully_told(ending: Ending, endings: Iterable[Ending], text: Telling) -> Endi
     alike = [each for each in endings if (each.kind, {*each.between}) == told]
     for each in alike:
         _struck(each, text)
+    alike.sort(key=lambda each: each.half is None)  # "hits it. Only our left half caught it"
     return next((each for each in alike if each.struck or each.impact), ending)
 
 
 def _struck(ending: Ending, text: Telling) -> None:
     """``the middle of the ego's front``, ``hits its rear``: which side, and where on it."""
     start, end = text.bounds(ending.basis.i or 0)
-    places = [c for c in text.chunks if isinstance(c, Place) and start <= c.i < end]
-    roads = [c for c in text.chunks if isinstance(c, Place) and c.kind in _ROADS]
+    places = [c for c in text.chunks if isinstance(c, Place)]
+    roads = [c for c in places if c.kind in _ROADS]
     part_of = {id(p): _portion(p, text) for p in places}  # "the right corner of its front"
+    # "… hits it; only the left half of our front is involved"
+    places = [p for p in places if start <= p.i < end or (p.i >= end and part_of[id(p)])]
     portions = {id(portion) for p in places if (portion := part_of[id(p)]) is not p}
     driven_into: Basis | None = None
     for place in [p for p in places if p.kind in _BODY and id(p) not in portions]:
@@ -56,7 +60,7 @@ def _struck(ending: Ending, text: Telling) -> None:
         whose = _owner(place, portion, ending, text)
         egos = whose is text.ego
         flank = part not in _ENDS
-        if part is None or whose is None or (flank and not _hit(place, whose, ending, text)):
+        if whose is None or (flank and not _hit(place, whose, ending, text)):
             continue
         basis = Basis(place.i, place.j)
         corner = part is BodySide.FRONT and not _SIDES.isdisjoint(place.dirs)
@@ -68,7 +72,7 @@ def _struck(ending: Ending, text: Telling) -> None:
             ending.half = Side.LEFT if "left" in half.dirs else Side.RIGHT
             ending.half_basis = basis = Basis(min(half.i, place.i), max(half.j, place.j))
             ending.share = half.head.data.get("share") if half.head is not None else None
-        if egos and ending.struck is None:
+        if egos and part is not None and ending.struck is None:
             ending.struck, ending.struck_basis = part, basis
         elif not egos and (part is BodySide.REAR or _head_on_into(place, ending, text)):
             driven_into = driven_into or basis
@@ -142,7 +146,8 @@ def _hit(place: Place, whose: Entity, ending: Ending, text: Telling) -> bool:
     told = place.owner is not None or place.has("possessive")
     direct = any(s.event.object is place or s.event.i == place.j for s in here)
     noun = all(s.event.nominal or bare(s.event, text) for s in here)  # "contact: our left side"
-    met = direct or (told and (noun or prep in {"in", "into", "against"}))
+    after = prep in {"in", "into", "against"} and place.i > i  # no "on my right a van hits it"
+    met = direct or (told and (noun or after))
     return met or (whose.ego and (prep in {"by", "with"} or (prep == "in" and is_hit)))
 
 
@@ -152,7 +157,7 @@ def _portion(place: Place, text: Telling) -> NounPhrase | None:
     for part in text.chunks:
         if not (isinstance(part, Place | Thing) and (_SIDES & set(part.dirs) or _is_middle(part))):
             continue
-        before = text.tokens[of].low == "of" and part.j in {of - 1, of}
+        before = text.tokens[of].low == "of" and 0 <= of - part.j <= _SHARE  # "right 50 % of it"
         of_more = part.j < len(text.tokens) and text.tokens[part.j].low == "of"
         after = 0 <= part.i - place.j <= 1 and part.opening in {"", "in"}
         if before or (after and not (of_more or part.has("possessive"))):
@@ -171,9 +176,13 @@ def settle(text: Telling) -> None:
     """
     overlaps = [s for s in text.found.spacings if s.measure is Measure.OVERLAP_PERCENT]
     for two in overlaps if text.found.ending is None else []:
-        if isinstance(two.entity, Entity) and _nears(text.ego, two.entity, text):
+        near, own = two.entity, text.ego.speed
+        if not isinstance(near, Entity):
+            continue
+        slower = own is not None and near.speed is not None and own.low > near.speed.high
+        if slower or near.still or text.context.oncoming(near):
             basis = two.amount.basis.because("bodies overlap where they touch")
-            text.found.ending = Ending(OutcomeKind.COLLISION, basis, [text.ego, two.entity])
+            text.found.ending = Ending(OutcomeKind.COLLISION, basis, [text.ego, near])
     ending = text.found.ending
     if ending is None or ending.half is None or ending.impact is not None:
         return
@@ -196,12 +205,6 @@ def settle(text: Telling) -> None:
         share = ending.share or _HALF
         value = Interval(low=0.0 if left else _WHOLE - share, high=share if left else _WHOLE)
         ending.impact = Amount(value, basis)
-
-
-def _nears(ego: Entity, other: Entity, text: Telling) -> bool:
-    """Whether the ego gets to another if nobody does anything."""
-    slower = ego.speed is not None and other.speed is not None and ego.speed.low > other.speed.high
-    return slower or other.still or text.context.oncoming(other)
 
 
 def _owner(

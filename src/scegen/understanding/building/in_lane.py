@@ -229,7 +229,9 @@ def lanes_of_road(
     parted = along.carriageway is not None and not along.presumed  # the words do so for sure
     passing = draft.implied.get("passing")
     if implied is None and passing is not None:
-        if not (ring or parted) and _against_oncoming(draft, around):
+        facing = any(Approach.OPPOSITE in e.approaches for e in draft.entities)
+        facing = facing or (around.two_lane is not None and around.highway is None)
+        if facing and not (ring or parted):
             reason = "who overtakes uses the oncoming lane"
             return (1,) * arms, None, passing.because(reason)
         implied = passing.because("overtaking needs a second lane")
@@ -258,9 +260,3 @@ def _middle_lane(draft: Draft) -> bool:
     words = [token.low for token in draft.tokens]
     pairs = pairwise(words)
     return any(one in word_list("middle") and other == "lane" for one, other in pairs)
-
-
-def _against_oncoming(draft: Draft, around: Surroundings) -> bool:
-    """Whether somebody overtakes on a road where others come towards them."""
-    facing = any(Approach.OPPOSITE in e.approaches for e in draft.entities)
-    return facing or (around.two_lane is not None and around.highway is None)

@@ -47,7 +47,9 @@ def report(draft: Draft, terms: list[Term], chunks: list[Chunk], *, crossing: bo
             if on or _gone_over(draft, term):
                 draft.note(term.i, term.j, _NOBODY_THERE if on else _NOT_DRIVEN_OVER)
         if term.cat in {"noted", "place"} and "instead" in term.data:
-            if not _tells_of_a_call(draft, term):
+            calls = [e.on_call for e in draft.entities if e.on_call is not None]
+            # not what tells, once or again, by what an emergency vehicle is on call
+            if not ("on_call" in term.data and any((b.i or 0) <= term.i for b in calls)):
                 draft.note(term.i, term.j, term.data["instead"])
         elif term.cat == "place" and term.value in _PLACES and not _used(draft, term, crossing):
             draft.note(term.i, term.j, _PLACES[term.value])
@@ -83,12 +85,6 @@ def _gone_over(draft: Draft, median: Term) -> bool:
     before = draft.tokens[max(median.i - 3, 0) : median.i]
     driven = any(e.moving_vehicle and not e.ego for e in draft.entities)
     return driven and any({t.low, t.forms[-1][0]} & word_list("going_over") for t in before)
-
-
-def _tells_of_a_call(draft: Draft, term: Term) -> bool:
-    """Whether it says what an emergency vehicle is on call by, once or again."""
-    calls = [e.on_call for e in draft.entities if e.on_call is not None]
-    return "on_call" in term.data and any((b.i or 0) <= term.i for b in calls)
 
 
 def _used(draft: Draft, term: Term, crossing: bool) -> bool:

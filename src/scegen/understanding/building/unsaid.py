@@ -36,7 +36,10 @@ def maneuvers_of(entity: Entity, junction: Junction, draft: Draft) -> set[Maneuv
         entity.maneuver_basis = entity.stands
         return {Maneuver.STAY}
     bides = entity.told.get("bides")
-    stands = _met_from_behind(entity, draft) or entity in draft.causing(HazardKind.OCCLUSION)
+    # somebody comes up behind who stands there: the ego, or another behind the ego
+    seen = [e.approaches for e in draft.entities] if entity.ego else [entity.approaches]
+    stands = {Approach.BEHIND if entity.ego else Approach.AHEAD} in seen
+    stands = stands or entity in draft.causing(HazardKind.OCCLUSION)
     if bides is not None and entity.sets_off < 0 and stands:
         entity.maneuver_basis = bides.because("it waits, and nothing says that it turns")
         if entity.ego:
@@ -92,12 +95,6 @@ def _followed(
         if words is not None:
             return Maneuver.STRAIGHT, words, f"{why}: nothing says that it turns"
     return (Maneuver.STAY, held, "nothing says that it goes on") if held is not None else None
-
-
-def _met_from_behind(entity: Entity, draft: Draft) -> bool:
-    """Whether somebody comes up behind who stands there: the ego, or another behind the ego."""
-    seen = [e.approaches for e in draft.entities] if entity.ego else [entity.approaches]
-    return {Approach.BEHIND if entity.ego else Approach.AHEAD} in seen
 
 
 def _has_the_way(entity: Entity, draft: Draft) -> Basis | None:

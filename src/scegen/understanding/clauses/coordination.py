@@ -133,6 +133,8 @@ def joins(mention: Mention, state: State) -> bool:
     if mention.pronoun in {"count", "one", "another"} and "," in state.between:
         return False  # "four vans, two turning left": some of them, not further ones
     said = bool({"aux:be", "aux:have"} & state.between) or state.being is not None
+    since = (c for c in state.chunks[: state.k] if c.i >= anchor.j)
+    said = said or any((c.cat, c.value) == ("aux", "be") for c in since)
     told = state.verb_follows or state.at(1).value == "be"
     complete = said and told  # "I'm here and a van …", "and a van is behind it"
     if complete or (state.between == {","} and not (waiting and _list_goes_on(state))):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep
-from scegen.understanding.clauses.dependents import depend
+from scegen.understanding.clauses.dependents import chain, depend
 from scegen.understanding.clauses.state import State
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import chunk_at, ends, predicate_opens
@@ -99,7 +99,9 @@ def _described_role(state: State) -> bool:
         return False
     after = state.after(8)
     end = next((m for m, c in enumerate(after) if c.value == ","), None)
-    if end is None or not (noun.opened_by("indef") or noun.is_ego):
+    number = noun.mod("num")
+    all_of_them = number is not None and number.data["number"] == len(chain(role)) > 1
+    if end is None or not (noun.opened_by("indef") or noun.is_ego or all_of_them):
         return False
     joined = any(c.cat in {"conj", "sub", "copy"} for c in after[:end])
     verb = chunk_at(after, end + 1)

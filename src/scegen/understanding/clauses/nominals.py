@@ -234,7 +234,8 @@ def read_noun(noun: NounPhrase, state: State) -> None:
         first = state.candidate is None and not (state.events and "," in state.between)
         state.topic = noun if first or part or "sub" in state.between else None
     if (prep := state.prep) is not None:
-        if prep.value == "of" and state.topic is not None and noun.owner is not None:
+        owned = noun.owner is not None or noun.has("possessive")
+        if prep.value == "of" and state.topic is not None and owned:
             state.topic = noun  # "the right part of the ego's front strikes …"
         prep.target, noun.prep = noun, prep.word
         if not side_of_place(noun, state):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.draft import Draft
-from scegen.understanding.entity import Basis, Entity
+from scegen.understanding.entity import Basis
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import BOUNDARIES, chunk_at
 from scegen.understanding.reference.describing import carried
@@ -41,7 +41,9 @@ def read_thing(thing: Thing, k: int, chunks: list[Chunk], draft: Draft) -> None:
         towed = (thing.head.data.get("thing") if thing.head else None) == "trailer"
         draft.note(thing.i, thing.j, _TOWED if towed else _BESIDE)
     elif thing.kind == "view" and any(m.cat == "verb" for m in thing.mods):
-        draft.hazard(HazardKind.OCCLUSION, basis, _owing_to(k, chunks))
+        who = next((c for c in chunks[k + 1 : k + 4] if isinstance(c, Mention)), None)
+        owing = who is not None and who.stands_after("due", "by")  # "due to parked cars"
+        draft.hazard(HazardKind.OCCLUSION, basis, who.entities if who and owing else [])
 
 
 def _in_the_way(thing: Thing, k: int, chunks: list[Chunk], draft: Draft) -> bool:
@@ -89,12 +91,6 @@ def _held(thing: Thing, k: int, chunks: list[Chunk], draft: Draft) -> bool:
         return True  # "parked with a flat tyre"
     afoot = isinstance(who, Mention) and any(not e.is_vehicle for e in who.entities)
     return (along and afoot) or carried(thing, chunks, draft.tokens)
-
-
-def _owing_to(k: int, chunks: list[Chunk]) -> list[Entity]:
-    """``obstructed views due to parked cars``: the mention right after, with "due to" or "by"."""
-    who = next((c for c in chunks[k + 1 : k + 4] if isinstance(c, Mention)), None)
-    return who.entities if who is not None and who.stands_after("due", "by") else []
 
 
 _HIDING = frozenset({"behind", "between"})

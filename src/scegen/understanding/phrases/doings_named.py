@@ -55,7 +55,8 @@ def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] 
     first = k - (cat_at(chunks, k - 1) == "manner")  # "unbraked collision of the ego with …"
     before = value_at(chunks, first - 1) if first else "."
     opens = before in BOUNDARIES or (before in _JOINTS and (event.nominal or event.form == "ing"))
-    if not (opens or noted(event, k, chunks)) or event.form not in {"base", "ing"}:
+    hit = event.name == "collide" and not event.nominal  # that is no noun
+    if hit or not (opens or noted(event, k, chunks)) or event.form not in {"base", "ing"}:
         return None
     after = chunk_at(chunks, k + 1)
     where = chunks[k + 1 : k + 3] if isinstance(chunk_at(chunks, k + 2), Place) else []
@@ -77,9 +78,8 @@ def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] 
         return None
     if not named:
         who = _last_told(k, chunks) if before in BOUNDARIES else None
-        alone = not any(isinstance(c, Event | Mention) for c in chunks[1 : sentence_end(chunks, 0)])
-        if k == 0 and event.name in _MADE and event.form == "base" and alone:
-            who = teller_at(event.i)  # "Right turn at 10 km/h. …"
+        if before in BOUNDARIES and event.name in _MADE and event.form == "base":
+            who = teller_at(event.i) if _entitles(chunks[k + 1 :], first=k == 0) else who
         if who is None or event.name != "overtake":
             return None if who is None else ([who, _verb(event)], k + 1)
         of_ego = who.same_as is not None and who.same_as.is_ego
@@ -88,6 +88,14 @@ def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] 
     if not by and event.name not in DONE_TO:  # but not "reversing out of a drive, …"
         return ([*of, _verb(event), *where], m) if isinstance(of[0], Mention) else None
     return [*(by or [teller_at(event.i)]), _verb(event), *where, *of], m
+
+
+def _entitles(rest: list[Chunk], *, first: bool) -> bool:
+    """``Right turn at 10 km/h. …``, ``Left turn, a bus comes towards us``: whoever tells it."""
+    mark = next((m for m, c in enumerate(rest) if c.value == "," or ends(c)), len(rest))
+    told = any(isinstance(c, Mention) and c.is_ego for c in rest[mark:])
+    told = told if value_at(rest, mark) == "," else first
+    return told and all(isinstance(c, Term | Place) for c in rest[:mark])
 
 
 def noted(event: Event, k: int, chunks: list[Chunk]) -> bool:

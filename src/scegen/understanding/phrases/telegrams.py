@@ -14,6 +14,7 @@ from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.doings_named import noted, spell_out_doings, teller_at
 from scegen.understanding.phrases.lookahead import (
     GOVERNING,
+    by_follows,
     cat_at,
     chunk_at,
     ends,
@@ -38,6 +39,7 @@ _UNDERGONE = frozenset({"park", "hide", "block", "collide", "locate", "follow", 
 
 _STOPS = frozenset({".", ";", "!"})
 _BODY = frozenset({"side", "front", "flank", "portion", "middle"})
+_PACE = frozenset({"quantity", "dir", "manner"})
 
 
 def spell_out(chunks: list[Chunk]) -> list[Chunk]:
@@ -56,7 +58,7 @@ def spell_out(chunks: list[Chunk]) -> list[Chunk]:
         if isinstance(chunk, Place) and chunk.kind == "exit" and _clause_opener(chunks, k):
             found.append(Event("leave", chunk.i, chunk.i, "s"))  # "ego 3rd exit"
         found += _touching(chunks, k)
-        found += _of_the_same(chunk, found)
+        found += _of_the_same(chunks, k, found)
         found += _going(chunks, k) or [chunk]
     return found
 
@@ -223,35 +225,63 @@ def _going(chunks: list[Chunk], k: int) -> list[Chunk]:
     return [Event("move", way.i, way.j, "s", mods=[way], data={"drives": True})]
 
 
-def _of_the_same(verb: Chunk, before: list[Chunk]) -> list[Mention]:
-    """``A van follows us. Brakes hard.``: whom the sentence before is about."""
-    if not isinstance(verb, Event) or verb.form != "s" or verb.nominal:
+def _of_the_same(chunks: list[Chunk], k: int, before: list[Chunk]) -> list[Chunk]:
+    """``A van follows us. Brakes hard.``: whom the sentence before is about.
+
+    ``Struck in the left side by a van.`` was the ego, if there is one.
+    """
+    verb = chunks[k]
+    if not isinstance(verb, Event) or verb.nominal:
         return []
     last = next((c for c in reversed(before) if c.cat not in {"manner", "conj"}), NOTHING)
-    if last.value not in _STOPS:
-        return []
     told = [free_mentions(before[begin:end]) for begin, end in sentences(before)]
     about = next((named[0] for named in reversed(told) if named), None)
     it = Mention(verb.i, verb.i, [], None, pronoun="it", same_as=about)
-    return [it] if about is not None else []
+    if verb.name == "collide" and verb.form in {"ed", "base"} and by_follows(chunks, k):
+        others = free_mentions(chunks[k : sentence_end(chunks, k)])
+        named = [c for c in chunks if isinstance(c, Mention)]
+        by = next((m for m in named if m.i > verb.i), it)
+        egos = any(m.is_ego for m in named) or bool(by.pronoun) or by.opened_by("def")
+        egos = about is None or (egos and not by.is_ego)
+        whom = teller_at(verb.i) if egos else it
+        return [whom, Term("aux", "be", verb.i, verb.i)] if ends(last) and not others else []
+    return [it] if about is not None and verb.form == "s" and last.value in _STOPS else []
 
 
 def _touching(chunks: list[Chunk], k: int) -> list[Chunk]:
-    """``our front into its tail``, ``…, middle of our front``: parts touch, without a verb."""
-    at = chunks[k].i
-    opens = k == 0 or ends(chunks[k - 1]) or chunks[k - 1].value == ","
+    """``our front into its tail``, ``…, middle of our front``: parts touch, without a verb.
+
+    So it is in ``…, front into the taxi``; "40 km/h straight into the van" drives into it.
+    """
+    at, last = chunks[k].i, chunk_at(chunks, k - 1)
+    opens = ends(last) or last.value == ","
     if not (opens or chunks[k].value == "into"):
         return []
     marks = [m for m, c in enumerate(chunks) if ends(c) or c.value == ","]
     before = chunks[max((m + 1 for m in marks if m < k), default=0) : k]
     after = chunks[k : min((m for m in marks if m >= k), default=len(chunks))]
-    if chunks[k].value == "into" and _of_bodies(before) and _of_bodies(after[1:]):
+    if chunks[k].value == "into" and _owned(before) and _of_bodies(before + after[1:]):
         return [Event("collide", at, at, "s", lemma="hit")]
     if opens and _of_bodies(after):
         aside = all(c.kind == "side" and c.owner is None for c in after if isinstance(c, Place))
         doing = [] if aside else [Event("collide", at, at, "base", nominal=True)]
         return [*doing, Term("prep", "in", at, at)]  # "…, right side": there it is
-    return []
+    into = next((m for m, c in enumerate(after) if c.value == "into"), 0)
+    whom, paced = after[into + 1 :], all(c.cat in _PACE for c in after[:into])
+    touched = isinstance(chunk_at(whom, 0), Mention) or _of_bodies(whom)
+    own = _of_bodies(after[:into]) and not _owned(after)
+    if not (opens and into and touched and (paced or own)):
+        return []
+    who = [teller_at(at)] if ends(last) else []
+    if paced:
+        return [*who, Event("move", at, at, "s")]
+    return [*who, Event("collide", at, at, "s"), Term("prep", "with", at, at)]
+
+
+def _owned(parts: list[Chunk]) -> bool:
+    """``our front``, ``the middle of its front``, unlike a bare ``front`` of whoever acts."""
+    first = chunk_at(parts, 0)
+    return isinstance(first, NounPhrase) and first.mod(*_ARTICLES) is not None
 
 
 def _of_bodies(chunks: list[Chunk]) -> bool:

@@ -86,7 +86,8 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     afoot = mention.head is not None and "afoot" in mention.head.data
     springs = afoot and event.lemma in word_list("springing")  # "a boy bursts out of a gap"
     only = event.name in word_list("only_driven") and not (across or springs)
-    alone = "drives" in event.data or only or _takes_a_turn(event)
+    made = event.object if event.name == "light" else None  # "makes a left": who says so drives
+    alone = "drives" in event.data or only or (isinstance(made, Place) and made.kind == "side")
     vague = mention.head is not None and "vague" in mention.head.data
     turns = vague or event.name in {"turn", "sharp_turn"}
     turns = turns and any(d.value in {"left", "right"} for d in event.dirs)
@@ -242,12 +243,6 @@ def _aside(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> Non
             if isinstance(hurt, Mention) and id(hurt) not in doing and _person(hurt):
                 afoot = any("afoot" in h.data for h in hurt.heads)
                 hurt.negated = not (hurt.pps or afoot or any(i > event.i for i in referred))
-
-
-def _takes_a_turn(event: Event) -> bool:
-    """``makes a left``: who says so means a driver."""
-    target = event.object
-    return event.name == "light" and isinstance(target, Place) and target.kind == "side"
 
 
 def _at_the_wheel(mention: Mention, event: Event, tokens: list[Token]) -> bool:

@@ -235,8 +235,10 @@ def _reconcile(reading: JunctionReading, tokens: list[Token]) -> None:
         kind = shape_of(arms)
         reading.kind, reading.kind_basis = kind, reading.arms_basis
     elif kind is JunctionKind.FOUR_WAY and arms != ARM_COUNTS[kind][0]:
-        kind = JunctionKind.MULTI_WAY if _bare_crossing(reading, tokens) else kind
-        reading.kind = kind
+        basis = reading.kind_basis  # a "crossroads" may have any number of roads
+        at = basis.i if basis is not None else None
+        bare = at is not None and tokens[at].low.startswith("cross")
+        reading.kind = kind = JunctionKind.MULTI_WAY if bare else kind
     fewest, most = ARM_COUNTS[kind]
     if fewest <= arms <= most:
         return
@@ -245,12 +247,6 @@ def _reconcile(reading: JunctionReading, tokens: list[Token]) -> None:
     wanted = f"exactly {fewest}" if fewest == most else f"{fewest} to {min(most, MAX_ARMS)}"
     msg = f"a {kind.replace('_', '-')} junction cannot have {arms} {what} ({words})"
     raise InfeasibleError(msg, where="junction", hint=f"It needs {wanted} {what}.")
-
-
-def _bare_crossing(reading: JunctionReading, tokens: list[Token]) -> bool:
-    """Whether it is called "crossroads", which may have any number of roads."""
-    basis = reading.kind_basis
-    return basis is not None and basis.i is not None and tokens[basis.i].low.startswith("cross")
 
 
 def _written(reading: JunctionReading, tokens: list[Token]) -> str:

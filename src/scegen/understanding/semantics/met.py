@@ -161,7 +161,8 @@ def _touched(goal: NounPhrase, clause: Clause, context: Context) -> bool:
         return False
     end = bool({"front", "rear"} & set(goal.dirs))
     owned = goal.owner is not None or goal.has("possessive")
-    named = goal.head is not None and (bool(goal.dirs) or goal.owner is not None)
+    sure = bool(goal.dirs) or goal.owner is not None or goal.kind == "flank"
+    named = goal.head is not None and sure
     rests = clause.event.lemma in word_list("ending_up")  # "in its side"; "into its side" of a road
     rams = clause.event.lemma in word_list("ramming") and low_at(context.tokens, goal.j) != "of"
     return end or (owned and (named or rests or rams))

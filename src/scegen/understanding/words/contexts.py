@@ -115,14 +115,10 @@ class _Row:
         near = range(term.j, min(term.j + _SOON, len(tokens)))
         if self.soon is not None and not any(self.soon.fits_at(tokens, k) for k in near):
             return False
-        if self.ago is not None and not _ago(self.ago, terms, tokens):
+        since = takewhile(lambda before: before.value not in {".", ";"}, reversed(terms))
+        if self.ago is not None and not any(self.ago.fits_term(t, tokens) for t in since):
             return False
         return not self.doing or doing(tokens, term.i)
-
-
-def _ago(item: _Item, terms: list[Term], tokens: list[Token]) -> bool:
-    since = takewhile(lambda term: term.value not in {".", ";"}, reversed(terms))
-    return any(item.fits_term(term, tokens) for term in since)
 
 
 @lru_cache(maxsize=1)

@@ -9,12 +9,6 @@ from scegen.understanding.lexicon import load, word_list, word_lists
 _MIN_STEM = 2
 
 
-def _undoubled(stem: str) -> list[str]:
-    """``stopp`` -> ``stop``; English doubles the consonant before -ing and -ed."""
-    doubled = len(stem) > _MIN_STEM and stem[-1] == stem[-2] and stem[-1] not in "aeiou"
-    return [stem[:-1]] if doubled else []
-
-
 def _candidates(word: str) -> list[tuple[str, str]]:
     found: list[tuple[str, str]] = []
     if word.endswith("ies"):
@@ -29,7 +23,9 @@ def _candidates(word: str) -> list[tuple[str, str]]:
     for ending, form in (("ing", "ing"), ("ed", "ed")):
         if word.endswith(ending):
             stem = word[: -len(ending)]
-            found += [(base, form) for base in (stem, stem + "e", *_undoubled(stem))]
+            doubled = len(stem) > _MIN_STEM and stem[-1] == stem[-2] and stem[-1] not in "aeiou"
+            undoubled = [stem[:-1]] if doubled else []  # "stopp"
+            found += [(base, form) for base in (stem, stem + "e", *undoubled)]
     return found
 
 

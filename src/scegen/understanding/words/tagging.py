@@ -181,12 +181,6 @@ def _before(terms: list[Term], tokens: list[Token]) -> Term:
     return term_at(terms, len(terms) - 1)
 
 
-def _needs_infinitive(tokens: list[Token], match: Match) -> bool:
-    """``continues to the third exit``: "to" leads to a place, not to another verb."""
-    leads = tokens[match.j - 1].low == "to" and match.j < len(tokens)
-    return leads and not begins(tokens, match.j, "verb", "aux", "neg", "manner")
-
-
 def _match_at(tokens: list[Token], i: int, previous: Term) -> Match | None:
     """The phrase at a token, cut down where its words are no phrase here."""
     match = longest_match(tokens, i)
@@ -210,8 +204,10 @@ def _cut_down(match: Match, tokens: list[Token], i: int, previous: Term) -> Matc
     cut: Match | None = match
     if then_a_noun(tokens, match) or over_a_place(tokens, match):
         cut = longest_match(tokens, i, match.j - 1)
-    if cut and cut.j > i + 1 and cut.only("verb", "aux") and _needs_infinitive(tokens, cut):
-        cut = longest_match(tokens, i, cut.j - 1) or cut
+    if cut and cut.j > i + 1 and cut.only("verb", "aux") and tokens[cut.j - 1].low == "to":
+        # "continues to the third exit": to a place, not to another verb
+        apart = cut.j < len(tokens) and not begins(tokens, cut.j, "verb", "aux", "neg", "manner")
+        cut = (longest_match(tokens, i, cut.j - 1) if apart else None) or cut
     if cut is None or cut.j == i + 1 or not cut.only(*_NOUNS):
         return cut
     if any(form == "s" for _, form in token.forms):
