@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from math import cos, pi, sin
+from typing import NamedTuple
 
 import numpy as np
 
@@ -13,13 +14,32 @@ from scegen.claims.boxes import Boxes
 from scegen.claims.straightened import Axis, axis_of
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import COS, SIN, Bools, Floats, Ints, X, Y
-from scegen.motion.batch.kernels import kernel
+from scegen.motion.batch.kernels import inner_kernel, kernel
 from scegen.road import build_network
 from scegen.road.cross_section import CROSSWALK_MIDDLE_M, median_half_m
 from scegen.road.geometry import Pose
 from scegen.road.model import LaneType, Road
 from scegen.scenario.road_parameters import RoadParameters
 from scegen.scenario.vocabulary import DrivingSide
+
+
+class Line(NamedTuple):
+    """An arm: where it begins and heads, how long it is straight, and its edges."""
+
+    x: float
+    y: float
+    cos: float
+    sin: float
+    length: float
+    right: float
+    left: float
+
+
+@inner_kernel
+def place_on(line: Line, x: float, y: float) -> tuple[float, float]:
+    """How far along a line from its beginning, and how far to its left (m)."""
+    dx, dy = x - line.x, y - line.y
+    return dx * line.cos + dy * line.sin, dy * line.cos - dx * line.sin
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,10 +76,13 @@ class Arm:
 
         All steps where it never is.
         """
-        line = (self.x_m, self.y_m, self.cos, self.sin)
-        ahead_m = view.body(name).centre_ahead_m
-        places = np.full(view.count, along_m)
-        return _first_along(view.laid, view.index[name], ahead_m, line, places)
+        ahead_m, places = view.body(name).centre_ahead_m, np.full(view.count, along_m)
+        return _first_along(view.laid, view.index[name], ahead_m, self.line, places)
+
+    @property
+    def line(self) -> Line:
+        """The same for kernels."""
+        return Line(self.x_m, self.y_m, self.cos, self.sin, self.straight_m, *self.edges_m)
 
     def on_it(self, box: Boxes) -> Bools:
         """Whether its centre is between the edges of the carriageway."""
@@ -76,18 +99,14 @@ class Arm:
 
 
 @kernel
-def _first_along(
-    tracks: Floats, who: int, ahead_m: float, line: tuple[float, ...], along_m: Floats
-) -> Ints:
-    """The first step in which a body is so far along a line (begin and direction) (c,)."""
+def _first_along(tracks: Floats, who: int, ahead_m: float, line: Line, along_m: Floats) -> Ints:
+    """The first step in which a body is so far along a line (c,)."""
     found = np.full(tracks.shape[0], tracks.shape[3])
-    x, y, cos, sin = line
     for c in range(tracks.shape[0]):
         track = tracks[c, who]
         for t in range(tracks.shape[3]):
-            dx = track[X, t] + ahead_m * track[COS, t] - x
-            dy = track[Y, t] + ahead_m * track[SIN, t] - y
-            if dx * cos + dy * sin > along_m[c]:
+            x, y = track[X, t] + ahead_m * track[COS, t], track[Y, t] + ahead_m * track[SIN, t]
+            if place_on(line, x, y)[0] > along_m[c]:
                 found[c] = t
                 break
     return found

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from scegen.claims.series import clipped
-from scegen.claims.view import View
+from scegen.claims.view import View, kept
 from scegen.measures.bodies import body_of
 from scegen.measures.boxes import track_box
 from scegen.measures.contact import first_touches
@@ -56,14 +56,11 @@ class Free(NamedTuple):
     right: Floats
 
 
+@kept
 def boxes(view: View, name: str, steps: int | None = None) -> Boxes:
     """The box of an entity over time, or its first steps (c, t), in the frame of the road."""
-
-    def make() -> Boxes:
-        track = view.laid[:, view.index[name], :, :steps]
-        return around(view.body(name), *(track[:, row] for row in (X, Y, COS, SIN)))
-
-    return view.once(("boxes", name, steps), make)
+    track = view.laid[:, view.index[name], :, :steps]
+    return around(view.body(name), *(track[:, row] for row in (X, Y, COS, SIN)))
 
 
 def box_at(view: View, name: str, step: Ints | int) -> Boxes:
@@ -149,12 +146,8 @@ def counting_mps(
 
 def free_width_m(frame: Boxes, other: Boxes) -> Floats:
     """Free width across the frame's heading; negative where the one is in front of the other."""
-    return clear_aside_m(frame, seen(frame, other))
-
-
-def clear_aside_m(frame: Boxes, there: Seen) -> Floats:
-    """The same of one that has been seen from the frame already."""
-    return np.maximum(there.right - frame.half_width, -frame.half_width - there.left)
+    clear = free(frame, other)
+    return np.maximum(clear.left, clear.right)
 
 
 def course(frame: Boxes, other: Boxes) -> Floats:
@@ -164,15 +157,12 @@ def course(frame: Boxes, other: Boxes) -> Floats:
     return angle
 
 
+@kept
 def passes(view: View, name: str, other: str) -> tuple[Floats, Floats]:
     """By how much somebody comes from wholly behind another to wholly ahead, and when (c,).
 
     Side by side on one road; minus the longest way there is where it does not come near so.
     """
-    return view.once(("passes", name, other), lambda: _passes(view, name, other))
-
-
-def _passes(view: View, name: str, other: str) -> tuple[Floats, Floats]:
     who = view.index[name], view.index[other]
     most, step = _passed(view.laid, *who, view.scene.bodies)
     return most, view.time_of(step)
@@ -207,13 +197,9 @@ class Contact(NamedTuple):
     second: Boxes
 
 
+@kept
 def contact(view: View, first: str, second: str) -> Contact:
     """The first contact of two, placed within its time step."""
-    key = ("contact", first, second)
-    return view.once(key, lambda: _contact(view, first, second))
-
-
-def _contact(view: View, first: str, second: str) -> Contact:
     time_s = view.of_pair("contact_s", first, second)
     happens = ~np.isnan(time_s)
     step = view.step_of(time_s)

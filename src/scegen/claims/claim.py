@@ -124,8 +124,3 @@ def always(view: View, *, holds: bool, measured: float = np.nan) -> Judged:
     """The same for all candidates: what movements cannot change."""
     margin = np.full(view.count, 0.0 if holds else -1.0)
     return Judged(margin, np.full(view.count, measured), np.zeros(view.count))
-
-
-def yes_or_no(holds: Bools, measured: Floats, time_s: Floats) -> Judged:
-    """Where there is nothing between right and wrong."""
-    return Judged(np.where(holds, 0.0, -1.0), measured, time_s)

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
-from scegen.claims.view import View
+from scegen.claims.view import View, kept
 from scegen.measures.occlusion import hidden_at
 from scegen.motion.batch.arrays import Floats, Ints
 from scegen.motion.batch.kernels import kernel
@@ -21,16 +20,12 @@ class Hidden(NamedTuple):
     seen_s: Floats
 
 
-def hidden(view: View, observer: str, target: str, hiders: Sequence[str]) -> Hidden:
+@kept
+def hidden(view: View, observer: str, target: str, *hiders: str) -> Hidden:
     """How any of these hides a target from an observer, up to the moment when the two are nearest.
 
     Two in a row hide longer than one.
     """
-    key = ("hidden", observer, target, *hiders)
-    return view.once(key, lambda: _hidden(view, observer, target, hiders))
-
-
-def _hidden(view: View, observer: str, target: str, hiders: Sequence[str]) -> Hidden:
     a, b = view.index[observer], view.index[target]
     rows = np.array([[a, b, view.index[name]] for name in hiders], dtype=np.int64)
     nearest = view.of_pair("closest_s", observer, target)

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from math import sqrt
-from typing import NamedTuple
 
 import numpy as np
 
-from scegen.claims.arms import Arm, arms_of
+from scegen.claims.arms import Line, arms_of, place_on
 from scegen.claims.boxes import boxes, offset
-from scegen.claims.view import View
+from scegen.claims.view import View, kept
 from scegen.motion.batch.arrays import COS, SIN, Floats, X, Y
-from scegen.motion.batch.kernels import inner_kernel, kernel
+from scegen.motion.batch.kernels import kernel
 from scegen.scenario.logical import Drive
 from scegen.scenario.vocabulary import DrivingSide, JunctionKind
 
@@ -22,6 +21,7 @@ _WIDE_M = 1.0
 """Beyond its edges, somebody counts as on an arm."""
 
 
+@kept
 def lateral_m(view: View, name: str, drive: Drive | None, steps: int | None = None) -> Floats:
     """How far somebody has gone to its own left since the start, along its arms (c, t).
 
@@ -30,10 +30,6 @@ def lateral_m(view: View, name: str, drive: Drive | None, steps: int | None = No
     Only of the first ``steps``, if that is given.
     """
     upto = view.steps if steps is None else min(steps, view.steps)
-    return view.once(("lateral", name, upto), lambda: _lateral(view, name, drive, upto))
-
-
-def _lateral(view: View, name: str, drive: Drive | None, upto: int) -> Floats:
     if drive is None:
         box = boxes(view, name, upto)
         x, y, cos, sin = (values[:, :1] for values in (box.x, box.y, box.cos, box.sin))
@@ -47,39 +43,16 @@ def _lateral(view: View, name: str, drive: Drive | None, upto: int) -> Floats:
     moved = np.empty((view.count, upto))
     tracks = view.laid[:, view.index[name]]
     ahead_m = view.body(name).centre_ahead_m
-    _write(tracks, ahead_m, _line(entry), _line(leaving), straight_on, ring, moved)
+    _write(tracks, ahead_m, entry.line, leaving.line, straight_on, ring, moved)
     return moved
-
-
-class _Line(NamedTuple):
-    """An arm: where it begins and heads, how long it is straight, and its edges."""
-
-    x: float
-    y: float
-    cos: float
-    sin: float
-    length: float
-    right: float
-    left: float
-
-
-def _line(arm: Arm) -> _Line:
-    return _Line(arm.x_m, arm.y_m, arm.cos, arm.sin, arm.straight_m, *arm.edges_m)
-
-
-@inner_kernel
-def _place(line: _Line, x: float, y: float) -> tuple[float, float]:
-    """How far along a line from its beginning, and how far to its left (m)."""
-    dx, dy = x - line.x, y - line.y
-    return dx * line.cos + dy * line.sin, dy * line.cos - dx * line.sin
 
 
 @kernel
 def _write(
     tracks: Floats,
     ahead_m: float,
-    entry: _Line,
-    leaving: _Line,
+    entry: Line,
+    leaving: Line,
     straight_on: bool,
     ring: float,
     moved: Floats,
@@ -96,7 +69,7 @@ def _write(
         for t in range(moved.shape[1]):
             cos, sin = track[COS, t], track[SIN, t]
             x, y = track[X, t] + ahead_m * cos, track[Y, t] + ahead_m * sin
-            along, aside = _place(entry, x, y)
+            along, aside = place_on(entry, x, y)
             if t == 0:
                 begin = aside
             inside = inside and along <= entry.length
@@ -104,7 +77,7 @@ def _write(
                 held = (aside - begin) * faces
                 moved[c, t] = held
                 continue
-            back, aside = _place(leaving, x, y)
+            back, aside = place_on(leaving, x, y)
             on_it = leaving.right - _WIDE_M <= aside <= leaving.left + _WIDE_M
             heads = leaving.cos * cos + leaving.sin * sin < -ALONG
             if back <= leaving.length and heads and on_it:

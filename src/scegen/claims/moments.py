@@ -13,7 +13,7 @@ from scegen.claims.runs import Run, greatest_runs
 from scegen.claims.series import at, first
 from scegen.claims.sideways import sideways_begin
 from scegen.claims.told import Told
-from scegen.claims.view import View
+from scegen.claims.view import View, kept
 from scegen.motion.batch.arrays import SPEED, Bools, Ints
 from scegen.scenario.acts import GAINING, LEAVING, SLOWING, Act, ActKind
 from scegen.scenario.concrete import door_of
@@ -27,12 +27,9 @@ STANDS_MPS = 0.05
 TURNS_RAD = 0.1
 
 
+@kept
 def speed_runs(view: View, name: str, sense: int, count: int = 1) -> list[Run]:
     """The greatest runs in which speed falls (-1) or grows (+1), in the order of time."""
-    return view.once(("runs", name, sense, count), lambda: _runs(view, name, sense, count))
-
-
-def _runs(view: View, name: str, sense: int, count: int) -> list[Run]:
     least = CHANGES_MPS2 * view.dt_s
     # A body that is taken off its feet where its way ends does not brake.
     most = 3.0 * view.body(name).max_deceleration_mps2 * view.dt_s + 1.0

@@ -44,34 +44,27 @@ def greatest(
     if since is None and until is None:
         step = np.asarray(series.argmax(axis=1), dtype=np.int64)
         return at(series, step), step
-    return _greatest(series, 1.0, *_bounds(series, since, until))
+    begin = np.zeros(len(series), dtype=np.int64) if since is None else since
+    end = np.full(len(series), series.shape[1] - 1) if until is None else until
+    return _greatest(series, begin, end)
 
 
 def least(
     series: Floats, since: Ints | None = None, until: Ints | None = None
 ) -> tuple[Floats, Ints]:
     """The least value, likewise; inf where there are none."""
-    if since is None and until is None:
-        step = np.asarray(series.argmin(axis=1), dtype=np.int64)
-        return at(series, step), step
-    value, step = _greatest(series, -1.0, *_bounds(series, since, until))
+    value, step = greatest(-series, since, until)
     return -value, step
 
 
-def _bounds(series: Floats, since: Ints | None, until: Ints | None) -> tuple[Ints, Ints]:
-    """The first and the last step that count (c,) each."""
-    begin = np.zeros(len(series), dtype=np.int64) if since is None else since
-    return begin, np.full(len(series), series.shape[1] - 1) if until is None else until
-
-
 @kernel
-def _greatest(series: Floats, sense: float, since: Ints, until: Ints) -> tuple[Floats, Ints]:
-    """The greatest of the values times a sense, 1 or -1, and the first step that has it (c,)."""
+def _greatest(series: Floats, since: Ints, until: Ints) -> tuple[Floats, Ints]:
+    """The greatest value in some steps, and the first of these that has it (c,)."""
     most, step = np.full(series.shape[0], -np.inf), np.zeros(series.shape[0], dtype=np.int64)
     for c in range(series.shape[0]):
         for t in range(max(since[c], 0), min(until[c] + 1, series.shape[1])):
-            if sense * series[c, t] > most[c]:
-                most[c], step[c] = sense * series[c, t], t
+            if series[c, t] > most[c]:
+                most[c], step[c] = series[c, t], t
     return most, step
 
 

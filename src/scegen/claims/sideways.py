@@ -31,8 +31,7 @@ def sideways_begin(told: Told, act: Act, view: View) -> Ints:
     if earlier:
         before = sideways_begin(told, earlier[-1], view)
     else:
-        key = "leaves line", act.participant
-        before = view.once(key, lambda: _leaves_line(view, act.participant, drive))
+        before = _last_held(lateral_m(view, act.participant, drive))
         if beside or not _comes_back_by(told, act):
             return before
     moved = lateral_m(view, act.participant, drive)
@@ -100,14 +99,9 @@ def _sense(act: Act) -> float:
     return 0.0 if act.side is None else 1.0 if act.side is Side.LEFT else -1.0
 
 
-def _leaves_line(view: View, name: str, drive: Drive | None) -> Ints:
-    """The step in which somebody was last on its line before it left it; all steps if never."""
-    return _last_held(lateral_m(view, name, drive))
-
-
 @kernel
 def _last_held(moved: Floats) -> Ints:
-    """When somebody who has come so far aside (c, t) was last on its line (c,)."""
+    """When one who comes so far aside (c, t) was last on its line before; all steps: never (c,)."""
     found = np.full(moved.shape[0], moved.shape[1])
     for c in range(moved.shape[0]):
         held = 0

@@ -6,9 +6,10 @@ All series are arrays (candidate, time); all results (candidate,).
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from functools import wraps
 from math import nan
-from typing import TypeVar, cast
+from typing import Concatenate, ParamSpec, TypeVar, cast
 
 import numpy as np
 
@@ -25,7 +26,21 @@ from scegen.motion.batch.kernels import kernel
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario
 
+P = ParamSpec("P")
 T = TypeVar("T")
+
+
+def kept(
+    function: Callable[Concatenate[View, P], T],
+) -> Callable[Concatenate[View, P], T]:
+    """A function of a view, worked out only the first time that the same is asked of it."""
+
+    @wraps(function)
+    def answer(view: View, /, *args: P.args, **kwargs: P.kwargs) -> T:
+        key = (function, *args, *kwargs.items())
+        return view.once(key, lambda: function(view, *args, **kwargs))
+
+    return answer
 
 
 @dataclass(frozen=True)
@@ -91,6 +106,11 @@ class View:
             return people[number].body
         return self.concrete.objects[number - len(people)].body
 
+    def at_first(self) -> View:
+        """The same at the first step alone."""
+        first = self.traces._replace(tracks=self.traces.tracks[..., :1].copy())
+        return replace(self, traces=first, _known={})
+
     @property
     def laid(self) -> Floats:
         """The tracks in the frame of the road: where it bends, as on a straight one."""
@@ -106,9 +126,10 @@ class View:
         """Positions along its path."""
         return self.row(name, S)
 
+    @kept
     def speed_mps(self, name: str) -> Floats:
         """Speeds, forwards or backwards."""
-        return self.once(("speed", name), lambda: np.abs(self.row(name, SPEED)))
+        return np.abs(self.row(name, SPEED))
 
     def of_pair(self, field: str, first: str, second: str) -> Floats:
         """A measure of a pair; nan if it is not measured."""
@@ -141,37 +162,21 @@ class View:
         """The pairs that touch in a candidate."""
         return np.flatnonzero(~np.isnan(self.summary.contact_s[candidate])).tolist()
 
-    def gap_m(self, follower: str, leader: str, steps: int | None = None) -> Floats:
-        """Clear gap along the follower's path; nan where the leader is not ahead in its lane.
-
-        In the first ``steps``, or all.
-        """
-        return self._behind(gaps_behind, follower, leader, steps)
-
-    def headway_s(self, follower: str, leader: str, steps: int | None = None) -> Floats:
-        """Time headway; inf where there is none (no leader, or the follower stands).
-
-        In the first ``steps``, or all.
-        """
-        return self._behind(_headways_behind, follower, leader, steps)
-
-    def follows(self, follower: str, leader: str) -> bool:
-        """Whether the leader's way ever leads along the follower's, as far as that is measured."""
-        return self._first_row(follower, leader) >= 0
-
-    def _first_row(self, follower: str, leader: str) -> int:
-        """Where the table of who follows whom begins for these two (see ``FollowTable``)."""
+    def rows_behind(self, follower: str, leader: str) -> int:
+        """Where the rows of these two begin (see ``FollowTable``); -1: they share no corridor."""
         found = self.pair(follower, leader)
         return -1 if found is None else int(self.scene.following.first[found])
 
-    def _behind(
-        self, series: Callable[..., Floats], follower: str, leader: str, steps: int | None
-    ) -> Floats:
-        """A series (c, t) of one behind another."""
-        i, j, first = self.index[follower], self.index[leader], self._first_row(follower, leader)
-        rear_m, front_m = self.scene.following.rear_m, self.body(follower).front_m
-        tracks = self.traces.tracks if steps is None else self.traces.tracks[..., :steps].copy()
-        return series(tracks, i, j, front_m, rear_m, first)
+    def gap_m(self, follower: str, leader: str) -> Floats:
+        """Clear gap along the follower's path; nan where the leader is not ahead in its lane."""
+        first, front_m = self.rows_behind(follower, leader), self.body(follower).front_m
+        two, rear_m = (self.index[follower], self.index[leader]), self.scene.following.rear_m
+        return gaps_behind(self.traces.tracks, *two, front_m, rear_m, first)
+
+    def headway_s(self, follower: str, leader: str) -> Floats:
+        """Time headway; inf where there is none (no leader, or the follower stands)."""
+        speeds = self.traces.tracks[:, self.index[follower], SPEED]
+        return _headways(self.gap_m(follower, leader), speeds)
 
     def room_m(self, name: str, other: str) -> Floats:
         """Way left until the other's: the next conflict area or the other's rear; nan: neither."""
@@ -181,14 +186,11 @@ class View:
             room = np.fmin(room, np.where(left >= 0.0, left, np.nan))
         return room
 
+    @kept
     def reaches_s(self, name: str, place_m: float) -> Floats:
         """When somebody first reaches a place on its path; inf: never (c,)."""
-
-        def make() -> Floats:
-            step = self.beyond(name, np.nextafter(place_m, -np.inf))
-            return np.where(step < self.steps, self.time_of(step), np.inf)
-
-        return self.once(("reaches", name, place_m), make)
+        step = self.beyond(name, np.nextafter(place_m, -np.inf))
+        return np.where(step < self.steps, self.time_of(step), np.inf)
 
     def beyond(self, name: str, place_m: Floats | float, ahead_m: float = 0.0) -> Ints:
         """The first step in which what lies so far ahead of it is beyond a place of its path (c,).
@@ -232,15 +234,13 @@ def _first_beyond(tracks: Floats, who: int, ahead_m: float, place_m: Floats) -> 
 
 
 @kernel
-def _headways_behind(
-    tracks: Floats, follower: int, leader: int, front_m: float, rear_m: Floats, first: int
-) -> Floats:
-    """Time headways, s; the arguments are those of ``gaps_behind``."""
-    out = gaps_behind(tracks, follower, leader, front_m, rear_m, first)
+def _headways(gaps_m: Floats, speed_mps: Floats) -> Floats:
+    """Gaps as time headways at these speeds, s (c, t)."""
+    out = np.empty_like(gaps_m)
     for c in range(out.shape[0]):
         for t in range(out.shape[1]):
-            speed = abs(tracks[c, follower, SPEED, t])
-            out[c, t] = out[c, t] / speed if out[c, t] >= 0.0 and speed >= 1.0 else np.inf
+            gap, speed = gaps_m[c, t], abs(speed_mps[c, t])
+            out[c, t] = gap / speed if gap >= 0.0 and speed >= 1.0 else np.inf
     return out
 
 

@@ -11,7 +11,6 @@ from scegen.claims.ways import Way, paths_of, ways_of
 from scegen.concretization.boxes import overlap
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import LONGEST_DURATION_S, MAX_DURATION_S
-from scegen.concretization.others import WalkDraft
 from scegen.concretization.profile import SpeedChange
 from scegen.concretization.reversing import as_it_comes
 from scegen.concretization.setup import NeedsLongerArms, Setup
@@ -80,18 +79,15 @@ def _participant(scene: Setup, name: str) -> ConcreteParticipant:
     if name in scene.stands:
         return written(scene, name, scene.stands[name].motion, parked=True)
     if name in scene.walks:
-        return _walker(scene, scene.walks[name])
+        # It steps off when the driver has come so far that both arrive together.
+        walk = scene.walks[name]
+        found, sets_off_s = partner_of(scene, walk), leaves_s(scene, walk.id)
+        met = () if found is None else found[:1]
+        for draft in met:
+            scene.note(f"{name}.sets_off_s", sets_off_s, f"arrives when {draft.id} does")
+        program = walk.program_by(met, sets_off_s, walk.path.length_m)
+        return written(scene, name, walk.motion_at(walk.from_junction_m), program=program)
     raise MotionInfeasibleError("the logical scenario assigns it no way", where=name)
-
-
-def _walker(scene: Setup, walk: WalkDraft) -> ConcreteParticipant:
-    """One who steps off when the driver has come so far that both arrive together."""
-    found, sets_off_s = partner_of(scene, walk), leaves_s(scene, walk.id)
-    met = () if found is None else found[:1]
-    for draft in met:
-        scene.note(f"{walk.id}.sets_off_s", sets_off_s, f"arrives when {draft.id} does")
-    program = walk.program_by(met, sets_off_s, walk.path.length_m)
-    return written(scene, walk.id, walk.motion_at(walk.from_junction_m), program=program)
 
 
 def _trigger(scene: Setup, draft: DriveDraft, phase: SpeedChange) -> Trigger:

@@ -87,12 +87,6 @@ def back_up(scene: Setup, draft: DriveDraft, other: DriveDraft | WalkDraft | Non
         back_m = min(stops_s - (shared.enter_m + shared.leave_m) / 2, _LONGEST_BACK_M)
     else:
         stops_s = shared.enter_m + _MERGED_M + draft.body.length_m
-    _up_and_back(scene, draft, stops_s, back_m, waits_s)
-
-
-def _up_and_back(
-    scene: Setup, draft: DriveDraft, stops_s: float, back_m: float, waits_s: float
-) -> None:
     laid = draft.laid
     station = laid.station_m(stops_s)
     draft.reversal = BacksUp(

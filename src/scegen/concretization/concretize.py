@@ -92,7 +92,10 @@ def _on_long_enough_arms(
         try:
             return _compose(scene, seed)
         except NeedsLongerArms as need:
-            arm_m = _long_enough_m(arm_m, need.metres, first_m)
+            # Who starts farther out often needs more than was missing.
+            least_m, more_m = arm_m + need.metres, need.metres + (arm_m if arm_m > first_m else 0.0)
+            wanted_m = max(least_m, min(least_m + _SPARE * more_m, LONGEST_ARM_M))
+            arm_m = ceil(wanted_m / _ARM_STEP_M) * _ARM_STEP_M
             if arm_m > LONGEST_ARM_M:
                 longest = max(arm.length_m for arm in parameters.arms)
                 raise MotionInfeasibleError(
@@ -100,13 +103,6 @@ def _on_long_enough_arms(
                     where=need.who,
                     hint="Give longer arms, or fewer or slower vehicles.",
                 ) from need
-
-
-def _long_enough_m(arm_m: float, missing_m: float, first_m: float) -> float:
-    """How long arms are to be: who starts farther out often needs more than was missing."""
-    more_m = missing_m if arm_m <= first_m else missing_m + arm_m
-    wanted_m = max(arm_m + missing_m, min(arm_m + missing_m + _SPARE * more_m, LONGEST_ARM_M))
-    return ceil(wanted_m / _ARM_STEP_M) * _ARM_STEP_M
 
 
 def _compose(scene: Setup, seed: int) -> ConcreteScenario:

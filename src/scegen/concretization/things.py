@@ -141,19 +141,13 @@ def lying_in_the_way(
             things = [Thing(id=name, kind=ThingKind.OBSTACLE)]
         known = {thing.id for _, thing in found}
         for thing in (each for each in things if each.id not in known):
-            reacts = _who_reacts(functional, logical, drivers)
-            who = next((n for n in (thing.in_way_of, *hazard.to) if n in drivers), reacts)
+            # Else of who does something that one does because of a thing in its way; or the ego's.
+            acting = [h.by[0] for h in functional.hazards if h.by and HAZARDS[h.kind].acts]
+            aside = [d.participant for d in logical.drives if d.maneuver in SIDEWAYS]
+            names = (thing.in_way_of, *hazard.to, *acting, *aside)
+            who = next((name for name in names if name in drivers), functional.ego.id)
             found.append((hazard, thing.model_copy(update={"in_way_of": who})))
     return found
-
-
-def _who_reacts(
-    functional: FunctionalScenario, logical: LogicalScenario, drivers: Collection[str]
-) -> str:
-    """The driver who does something that one does because of a thing in its way; else the ego."""
-    acting = [h.by[0] for h in functional.hazards if h.by and HAZARDS[h.kind].acts]
-    aside = [d.participant for d in logical.drives if d.maneuver in SIDEWAYS]
-    return next((name for name in (*acting, *aside) if name in drivers), functional.ego.id)
 
 
 def made_of(name: str, shape: Shape, called: str | None, pose: Pose) -> StaticObject:

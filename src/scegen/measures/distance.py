@@ -17,7 +17,7 @@ from scegen.measures.bodies import Body, body_of
 from scegen.measures.boxes import box_at, frames_of, track_box
 from scegen.motion.batch.arrays import Floats, Ints
 from scegen.motion.batch.kernels import inner_kernel, kernel
-from scegen.motion.batch.touching import Box, boxes_touch
+from scegen.motion.batch.touching import Box, boxes_touch, place_in
 
 
 @inner_kernel
@@ -31,8 +31,7 @@ def box_distance(a: Box, b: Box) -> float:
 @inner_kernel
 def _corners_squared(a: Box, b: Box) -> float:
     """Squared distance of the nearest corner of b from a, which holds none of them, m²."""
-    dx, dy = b.x - a.x, b.y - a.y
-    x, y = dx * a.cos + dy * a.sin, dy * a.cos - dx * a.sin
+    x, y = place_in(a, b)
     c = a.cos * b.cos + a.sin * b.sin
     s = a.cos * b.sin - a.sin * b.cos
     lx, ly = b.half_length * c, b.half_length * s

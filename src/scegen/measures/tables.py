@@ -36,22 +36,26 @@ def build_tables(
     bodies: Sequence[Body],
     *,
     pairs: Sequence[tuple[int, int]] | None = None,
+    others: Sequence[tuple[int, int]] = (),
     occlusions: Sequence[tuple[int, int, int]] = (),
     friction: float = 1.0,
 ) -> Tables:
     """The scene of participants with these paths and bodies.
 
     ``paths`` are in the order of the program, ``bodies`` one each. ``pairs`` are measured against
-    each other, everybody against everybody if None; of ``occlusions`` (observer, target, occluder)
-    it is asked whether the last hides the second. ``friction`` is the coefficient between tyre and
-    road; 1 on dry asphalt.
+    each other, everybody against everybody if None; of ``others`` only distance and contact are
+    asked, because where lanes are shared and ways cross takes long. Of ``occlusions`` (observer,
+    target, occluder) it is asked whether the last hides the second. ``friction`` is the coefficient
+    between tyre and road; 1 on dry asphalt.
     """
     table = body_table(bodies, friction=friction)
     chosen = list(combinations(range(len(paths)), 2)) if pairs is None else list(pairs)
+    following, areas = follow_table(paths, table, chosen), area_table(paths, table, chosen)
+    nowhere = np.full((len(others), 2), -1, dtype=np.int64)
     return Tables(
         bodies=table,
-        pairs=np.array(chosen, dtype=np.int64).reshape(-1, 2),
-        following=follow_table(paths, table, chosen),
-        areas=area_table(paths, table, chosen),
+        pairs=np.array([*chosen, *others], dtype=np.int64).reshape(-1, 2),
+        following=following._replace(first=np.vstack([following.first, nowhere])),
+        areas=areas._replace(first=np.append(areas.first, np.full(len(others), areas.first[-1]))),
         occlusions=np.array(list(occlusions), dtype=np.int64).reshape(-1, 3),
     )

@@ -13,7 +13,6 @@ from scegen.claims.hazards.in_line import merges_ahead
 from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most, part
 from scegen.claims.series import least
 from scegen.claims.view import View
-from scegen.claims.ways import Way
 from scegen.motion.batch.arrays import Floats
 from scegen.scenario.concrete import CrossingMotion
 
@@ -24,7 +23,7 @@ _FROM, _UNTIL = 0.3, 0.7
 _OF_ITS_PACE = 0.7
 
 
-def closeness(view: View, by: str, to: str, limit: limits.Threshold = limits.CONFLICT) -> Part:
+def closeness(view: View, by: str, to: str) -> Part:
     """The time between the two, in s: the smaller of PET and a TTC that counts.
 
     Of one who stands it is the distance.
@@ -38,6 +37,7 @@ def closeness(view: View, by: str, to: str, limit: limits.Threshold = limits.CON
     # Beyond the distance a TTC fades out by 1 s per metre, so that a search finds the way in.
     ttc = ttc + np.maximum(0.0, apart - limits.CONFLICT_WITHIN_M)
     value, time_s = np.fmin(pet, ttc), view.of_pair("closest_s", by, to)
+    limit = limits.CONFLICT
     return part("PET or TTC", value, limit.value, limit, limit.value - value, time_s)
 
 
@@ -73,7 +73,8 @@ def drives_on(view: View, by: str, to: str) -> list[Part]:
     if isinstance(way.participant.motion, CrossingMotion):
         # Who crosses sets off from rest and ends at rest: what counts is the middle of its way.
         near = (place > _FROM * way.path.length_m) & (place < _UNTIL * way.path.length_m)
-        bound = min(bound, _OF_ITS_PACE * _pace_mps(way))
+        paces = [phase.target_speed_mps for phase in way.participant.speed_program]
+        bound = min(bound, _OF_ITS_PACE * max(paces, default=0.0))
     elif way.sets_off:
         # Who sets off from rest does not stop again before it is in the other's way.
         near = (place > place[:, :1] + _SET_OFF_M) & (place < place[:, :1] + _BEFORE_LINE_M)
@@ -86,20 +87,13 @@ def drives_on(view: View, by: str, to: str) -> list[Part]:
         until = max(min(shared), way.turn_start_m + _IN_M) if shared else way.turn_end_m
         near = (place > way.turn_start_m - _BEFORE_LINE_M) & (place < until)
     speed, step = least(np.where(near, view.speed_mps(by), np.inf))
-    drives = at_least(
-        "slowest speed at the line", speed, limits.DRIVES_ON, view.time_of(step), bound
-    )
-    return [closeness(view, by, to), drives]
+    at_line, time_s = "slowest speed at the line", view.time_of(step)
+    return [closeness(view, by, to), at_least(at_line, speed, limits.DRIVES_ON, time_s, bound)]
 
 
 def does_not_yield(view: View, by: str, to: str) -> list[Part]:
     """It drives on, before the other."""
     return [*drives_on(view, by, to), *_in_time(view, by, to)]
-
-
-def _pace_mps(way: Way) -> float:
-    """How fast one who crosses goes."""
-    return max((phase.target_speed_mps for phase in way.participant.speed_program), default=0.0)
 
 
 MERGING = Predicate(conflict, order=merges_ahead)

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from itertools import combinations
 
-import numpy as np
-
 from scegen.claims.hazards.judging import hazard_pairs
 from scegen.measures.tables import Tables, build_tables
 from scegen.motion.model import Path
@@ -62,35 +60,19 @@ def scene_of(
     for a, b in focus:
         if (index[b], index[a]) not in chosen:
             chosen[index[a], index[b]] = None
-    scene = build_tables(
-        [ways[name] for name in index],
-        [entity.body for entity in concrete.entities],
-        pairs=list(chosen),
-        occlusions=[(index[a], index[b], index[c]) for a, b, c in occlusions(concrete)],
-        friction=friction,
-    )
     parked = [*(p.parked for p in concrete.participants), *(True for _ in concrete.objects)]
     hung = {
         (index[p.motion.vehicle], index[p.id])
         for p in concrete.participants
         if isinstance(p.motion, SwingingMotion)
     }
-    rest = [
-        (i, j)
-        for i, j in combinations(range(len(parked)), 2)
-        if (i, j) not in chosen
-        and (j, i) not in chosen
-        and not (parked[i] and parked[j])
-        and (i, j) not in hung
-    ]
-    if not rest:
-        return scene
-    first = np.vstack([scene.following.first, np.full((len(rest), 2), -1, dtype=np.int64)])
-    areas = np.concatenate(
-        [scene.areas.first, np.full(len(rest), scene.areas.first[-1], dtype=np.int64)]
-    )
-    return scene._replace(
-        pairs=np.vstack([scene.pairs, np.array(rest, dtype=np.int64)]),
-        following=scene.following._replace(first=first),
-        areas=scene.areas._replace(first=areas),
+    known = {*chosen, *((j, i) for i, j in chosen), *hung}
+    rest = (pair for pair in combinations(range(len(parked)), 2) if pair not in known)
+    return build_tables(
+        [ways[name] for name in index],
+        [entity.body for entity in concrete.entities],
+        pairs=list(chosen),
+        others=[(i, j) for i, j in rest if not (parked[i] and parked[j])],
+        occlusions=[(index[a], index[b], index[c]) for a, b, c in occlusions(concrete)],
+        friction=friction,
     )

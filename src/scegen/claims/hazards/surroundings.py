@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from scegen.claims.boxes import box_at, clear_aside_m, seen
+from scegen.claims.boxes import box_at, free_width_m, offset
 from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.predicate import NEVER, Part, Predicate, at_least, at_most
 from scegen.claims.hidden import hidden
@@ -21,7 +21,7 @@ def occlusion(view: View, by: str, to: str) -> list[Part]:
     best: list[Part] = []
     for target in sorted({t for observer, t, hider in rows if (observer, hider) == (to, by)}):
         hiders = [hider for observer, t, hider in rows if (observer, t) == (to, target)]
-        found = hidden(view, to, target, hiders)
+        found = hidden(view, to, target, *hiders)
         parts = [
             at_least("hidden", found.total_s, limits.OCCLUDED, found.last_s),
             at_most("in sight before", found.seen_s, limits.IN_SIGHT, found.last_s),
@@ -41,8 +41,7 @@ def _clearest(parts: list[Part]) -> float:
 def obstacle(view: View, by: str, to: str) -> list[Part]:
     """The sufferer has to pass close by what stands there, or comes to rest before it."""
     frame, box = (box_at(view, name, view.steps - 1) for name in (to, by))
-    there = seen(frame, box)
-    before = (clear_aside_m(frame, there) <= 0.0) & (there.x > 0.0)
+    before = (free_width_m(frame, box) <= 0.0) & (offset(frame, box)[0] > 0.0)
     held_up = before & (view.speed_mps(to)[:, -1] < limits.STANDS_MPS)
     apart = np.where(held_up, 0.0, view.of_pair("distance_m", by, to))
     return [at_most("distance", apart, limits.OBSTACLE, view.of_pair("closest_s", by, to))]

@@ -47,15 +47,10 @@ def act_ends(told: Told, act: Act, view: View) -> Ints:
     if act.kind is not ActKind.OVERTAKE:
         return aside
     # Who passes in its own lane, or comes back by another act, has done so when it is past.
-    there = (aside < view.steps) & (not _comes_back_by_another(told, act))
-    return np.where(there, aside, _is_past(told, act, begins, view))
-
-
-def _comes_back_by_another(told: Told, act: Act) -> bool:
-    """Whether the way back is an act of its own."""
     acts = told.functional.acts
-    later = [a for a in acts[acts.index(act) + 1 :] if a.participant == act.participant]
-    return any(a.kind is ActKind.CHANGE_LANE for a in later)
+    later = [a.kind for a in acts[acts.index(act) + 1 :] if a.participant == act.participant]
+    there = (aside < view.steps) & (ActKind.CHANGE_LANE not in later)
+    return np.where(there, aside, _is_past(told, act, begins, view))
 
 
 def _is_past(told: Told, act: Act, begins: Ints, view: View) -> Ints:

@@ -50,7 +50,9 @@ def claims(told: Told, act: Act) -> Iterator[Claim]:
         other = next(a for a in told.functional.acts if a.id == when.act)
         whose = "it" if other.participant == own else other.participant
         event = f"begins to {plain(other.kind)}" if when.since == "begin" else has_done(other.kind)
-        said, unit, tolerance = f"{_later(when)} after {whose} {event}", "s", _LONG_S
+        later = "some time" if when.delay_s is None else f"{amount(when.delay_s)} s"
+        later = "right" if when.delay_s is not None and when.delay_s.high == 0.0 else later
+        said, unit, tolerance = f"{later} after {whose} {event}", "s", _LONG_S
         test = partial(_after_act, when, other)
     elif isinstance(when, WhenMeasure):
         _, unit, tolerance, _ = tolerances.OF_MEASURE[when.measure]
@@ -71,12 +73,6 @@ def claims(told: Told, act: Act) -> Iterator[Claim]:
     yield claim_of(
         told, act, "when", f"{own} {does(act.kind)} {said}", unit, test, tolerance=tolerance
     )
-
-
-def _later(when: AfterAct) -> str:
-    if when.delay_s is None:
-        return "some time"
-    return "right" if when.delay_s.high == 0.0 else f"{amount(when.delay_s)} s"
 
 
 def _after_start(when: AfterStart, told: Told, act: Act, view: View) -> Judged:

@@ -110,12 +110,14 @@ def _judge(told: Told, name: str, reference: str, words: frozenset[Approach], vi
     else:
         walks = told.functional.participant(name).kind in ON_FOOT
         lane = _in_lane_m(told, name, reference, frame.half_width + box.half_width)
-        choices = []
+        choices, drive = [], told.drive(name)
         for word in words:
             if word is Approach.ADJACENT:
                 choices.append(_beside(np.abs(place.y)))
             elif word in {Approach.AHEAD, Approach.BEHIND}:
-                faces = np.degrees(course(frame, box)) if _backs_up(told, name) else turned
+                # Who goes back in its lane is ahead of who is behind it, however it moves.
+                backs_up = drive is not None and drive.reverses is Reverses.BACKS_UP
+                faces = np.degrees(course(frame, box)) if backs_up else turned
                 same = walks | ~moves | (np.cos(np.radians(faces)) > _SAME_WAY)
                 inside = np.minimum(_ahead_m(word, place, frame), lane - np.abs(place.y))
                 choices.append(np.where(same, inside, -NEVER))
@@ -131,12 +133,6 @@ def _ahead_m(word: Approach, place: Seen, frame: Boxes) -> Floats:
     """How far one is wholly ahead of another, or behind it."""
     clear: Floats = (place.rear if word is Approach.AHEAD else -place.front) - frame.half_length
     return clear
-
-
-def _backs_up(told: Told, name: str) -> bool:
-    """Whether it goes back in its lane: it is ahead of who is behind it, however it moves."""
-    drive = told.drive(name)
-    return drive is not None and drive.reverses is Reverses.BACKS_UP
 
 
 def _in_lane_m(told: Told, name: str, reference: str, touching_m: float) -> float:

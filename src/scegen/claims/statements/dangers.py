@@ -118,7 +118,9 @@ def _happens(told: Told, hazard: Hazard, view: View) -> Judged:
     doors = {of: door for door, of in told.doors.items() if door in view.index}
     by = tuple(doors.get(name, name) for name in hazard.by)
     kind = _judged_as(told, hazard)
-    margin, time_s = decisive(view, hazard.model_copy(update={"by": by, "kind": kind}))
+    if (by, kind) != (hazard.by, hazard.kind):
+        hazard = hazard.model_copy(update={"by": by, "kind": kind})
+    margin, time_s = decisive(view, hazard)
     return Judged(margin, margin, time_s)
 
 

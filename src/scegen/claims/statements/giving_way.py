@@ -9,7 +9,7 @@ from math import inf
 import numpy as np
 
 from scegen.claims.boxes import boxes, offset, same_way
-from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, rule_claim
+from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged, Test, rule_claim
 from scegen.claims.series import at, chosen, clipped, first
 from scegen.claims.statements.rules import rests_at_line
 from scegen.claims.told import Told, plain
@@ -19,7 +19,7 @@ from scegen.measures.grounds import Ground, grounds
 from scegen.motion.batch.arrays import Floats, S
 from scegen.motion.batch.kernels import inner_kernel, kernel
 from scegen.motion.rules.giving_way import CLEAR_S, TOGETHER_S, Duty, must_give_way
-from scegen.scenario.acts import LETS_BY, Act
+from scegen.scenario.acts import LETS_BY
 
 _ENOUGH_S, _ENOUGH_M = 10.0, 10.0
 _ALONG = 0.5
@@ -34,7 +34,8 @@ def claims(told: Told) -> Iterator[Claim]:
         order = "whoever of both stops later" if duty.by_arrival else duty.yields
         between = f"{duty.yields} and {duty.other}" if duty.by_arrival else duty.other
         statement = f"{order} gives way: {between} ({plain(duty.rule)})"
-        test = partial(_in_order if duty.by_arrival else _gives_way, duty)
+        two = duty.yields, duty.other
+        test: Test = partial(_in_order, duty) if duty.by_arrival else partial(_given, *two)
         name = f"way.{duty.yields}.{duty.other}"
         yield rule_claim(name, statement, test, tolerance=TIME_S)
 
@@ -45,7 +46,9 @@ def said(told: Told) -> Iterator[Claim]:
         if act.kind in LETS_BY and act.into is not None:
             name, kind = f"{act.id}.into", ClaimKind.ACT
             does = f"{act.participant} lets {act.into} go first"
-            test = partial(_lets_by if _meet(told, act) else _gets_past, act.participant, act.into)
+            # Along a plain road one gets past the other.
+            meet = not told.plain_road or told.drive(act.into) is None
+            test = partial(_lets_by if meet else _gets_past, act.participant, act.into)
             yield Claim(f"act.{name}", kind, does, f"acts.{name}", "s", test, TIME_S)
 
 
@@ -69,11 +72,6 @@ def _lets_by(name: str, other: str, view: View) -> Judged:
     return Judged(margin, margin, time_s)
 
 
-def _meet(told: Told, act: Act) -> bool:
-    """Whether the ways of the two cross; along a plain road one gets past the other."""
-    return not told.plain_road or told.drive(act.into or "") is None
-
-
 def _gets_past(name: str, other: str, view: View) -> Judged:
     """By how much the other, who goes the same way or comes the other, is past in the end (m).
 
@@ -87,28 +85,18 @@ def _gets_past(name: str, other: str, view: View) -> Judged:
     return Judged(past_m, past_m, view.time_of(view.last_step))
 
 
-def _gives_way(duty: Duty, view: View) -> Judged:
-    margin, time_s = _given(view, duty.yields, duty.other)
-    return Judged(margin, margin, time_s)
-
-
 def _in_order(duty: Duty, view: View) -> Judged:
     """By order of arrival; who gives way where both come at once is in the duty."""
-    late = _stands_s(view, duty.yields) - _stands_s(view, duty.other)
-    usual, time_s = _given(view, duty.yields, duty.other)
-    turned, then_s = _given(view, duty.other, duty.yields)
-    first_come = late < -TOGETHER_S
-    margin = np.where(first_come, turned, usual)
-    return Judged(margin, margin, np.where(first_come, then_s, time_s))
+    own_s, other_s = (
+        view.time_of(first(rests_at_line(view, name))) for name in (duty.yields, duty.other)
+    )
+    first_come = own_s - other_s < -TOGETHER_S
+    turned, usual = _given(duty.other, duty.yields, view), _given(duty.yields, duty.other, view)
+    return Judged(*(np.where(first_come, a, b) for a, b in zip(turned, usual, strict=True)))
 
 
-def _stands_s(view: View, name: str) -> Floats:
-    """When somebody first stands at its line; the end if it never does (c,)."""
-    return view.time_of(first(rests_at_line(view, name)))
-
-
-def _given(view: View, name: str, other: str) -> tuple[Floats, Floats]:
-    """How long after the other, or how much more than long enough before it, one goes (c,), when.
+def _given(name: str, other: str, view: View) -> Judged:
+    """How long after the other, or how much more than long enough before it, one goes, and when.
 
     Below 0 it takes the other's way. One that does not come onto their ground gives way.
     """
@@ -116,7 +104,7 @@ def _given(view: View, name: str, other: str) -> tuple[Floats, Floats]:
     who = view.index[name], view.index[other]
     left_s, comes_s = _time_left_s(view.traces.tracks, *who, shared, view.dt_s, CLEAR_S)
     margin = np.minimum(left_s + TIME_S, _ENOUGH_S)
-    return margin, np.where(margin < _ENOUGH_S, comes_s, 0.0)
+    return Judged(margin, margin, np.where(margin < _ENOUGH_S, comes_s, 0.0))
 
 
 @kernel

@@ -70,5 +70,5 @@ def _hides(hider: str, ego: str, name: str, view: View) -> Judged:
     """Long enough to be missed, until shortly before the two come nearest."""
     if hider not in view.index or name not in view.index:
         return always(view, holds=False)
-    total, last, seen_s = hidden(view, ego, name, [hider])
+    total, last, seen_s = hidden(view, ego, name, hider)
     return Judged(np.minimum(total - OCCLUDED.value, IN_SIGHT.value - seen_s), total, last)

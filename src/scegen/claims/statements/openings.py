@@ -17,7 +17,7 @@ from scegen.claims.sideways import LEAVES_M
 from scegen.claims.told import Told
 from scegen.claims.view import View
 from scegen.scenario.acts import ActKind, AfterDistance, AfterStart, WhenMeasure
-from scegen.scenario.spacings import LENGTHWISE, START
+from scegen.scenario.spacings import LENGTHWISE, START, Spacing
 from scegen.scenario.vocabulary import Maneuver
 
 LEAD_IN_S = 1.0
@@ -42,7 +42,10 @@ def claims(told: Told) -> Iterator[Claim]:
     if told.collides and not any(_begins_as_said(told, p.id) for p in told.people):
         does = f"nobody is hit within the first {LEAD_IN_S:g} s"
         yield Claim("opening.contact", opening, does, "outcome", "s", _unhurt, tolerance)
-    if pairs := list(_at_their_own_distance(told)):
+    # Two who drive, if the text tells of no distance between them along the road.
+    said = [{s.participant, s.reference} for s in _along_the_road(told)]
+    drivers = [d.participant for d in told.logical.drives if d.maneuver is not Maneuver.STAY]
+    if pairs := [pair for pair in permutations(drivers, 2) if {*pair} not in said]:
         does = f"nobody drives less than {CLOSEST_S:g} s behind another at first"
         apart = partial(_apart, pairs)
         yield Claim("opening.apart", opening, does, "participants", "s", apart)
@@ -54,23 +57,19 @@ def _unhurt(view: View) -> Judged:
     return Judged(np.minimum(time_s, NEVER) - LEAD_IN_S + tolerances.TIME_S, time_s, time_s)
 
 
-def _at_their_own_distance(told: Told) -> Iterator[tuple[str, str]]:
-    """Two who drive, if the text tells of no distance between them along the road."""
-    said = [
-        {s.participant, s.reference} for s in told.functional.spacings if s.measure in LENGTHWISE
-    ]
-    drive = [d.participant for d in told.logical.drives if d.maneuver is not Maneuver.STAY]
-    return (pair for pair in permutations(drive, 2) if {*pair} not in said)
+def _along_the_road(told: Told) -> list[Spacing]:
+    """The distances along the road that the text tells."""
+    return [s for s in told.functional.spacings if s.measure in LENGTHWISE]
 
 
 def _apart(pairs: list[tuple[str, str]], view: View) -> Judged:
     """The shortest headway at first of those who follow another that moves, too."""
-    least = np.full(view.count, np.inf)
+    least, start = np.full(view.count, np.inf), view.at_first()
     for follower, leader in pairs:
-        if not view.follows(follower, leader):
+        if start.rows_behind(follower, leader) < 0:
             continue
-        moves = view.speed_mps(leader)[:, 0] > STANDS_MPS
-        headway = view.headway_s(follower, leader, steps=1)[:, 0]
+        moves = start.speed_mps(leader)[:, 0] > STANDS_MPS
+        headway = start.headway_s(follower, leader)[:, 0]
         least = np.where(moves, np.minimum(least, headway), least)
     return Judged(np.minimum(least, LEAD_IN_S) - CLOSEST_S, least, np.zeros(view.count))
 
@@ -86,19 +85,10 @@ def _begins_as_said(told: Told, name: str) -> bool:
     if any(isinstance(act.when, given) for act in acts):
         return True
     passes = any(act.kind is ActKind.OVERTAKE for act in acts)
-    return any(passes or _stays(told, other) for other in _close_at_first(told, name))
-
-
-def _stays(told: Told, name: str) -> bool:
-    drive = told.drive(name)
-    return drive is None or drive.maneuver is Maneuver.STAY
-
-
-def _close_at_first(told: Told, name: str) -> Iterator[str]:
-    for spacing in told.functional.spacings:
-        pair = {spacing.participant, spacing.reference}
-        if spacing.at == START and spacing.measure in LENGTHWISE and name in pair:
-            yield from pair - {name}
+    pairs = [{s.participant, s.reference} for s in _along_the_road(told) if s.at == START]
+    near = {other for pair in pairs if name in pair for other in pair - {name}}
+    drive = {d.participant for d in told.logical.drives if d.maneuver is not Maneuver.STAY}
+    return bool(near if passes else near - drive)
 
 
 def _undisturbed(told: Told, name: str, view: View) -> Judged:

@@ -32,14 +32,11 @@ def claims(told: Told) -> Iterator[Claim]:
     outcome = told.functional.outcome
     if outcome is not None:
         yield from _said(told, outcome)
+    does = "nobody else touches anybody" if told.collides else "nobody touches anybody"
+    if told.open_end and outcome is None:
+        does = "nobody touches anybody but whom it meets"
     test = partial(_nobody_else, told)
-    yield Claim("contacts", ClaimKind.CONTACT, _else(told), "outcome", "m", test)
-
-
-def _else(told: Told) -> str:
-    if told.open_end and told.functional.outcome is None:
-        return "nobody touches anybody but whom it meets"
-    return "nobody else touches anybody" if told.collides else "nobody touches anybody"
+    yield Claim("contacts", ClaimKind.CONTACT, does, "outcome", "m", test)
 
 
 def _said(told: Told, outcome: Outcome) -> Iterator[Claim]:

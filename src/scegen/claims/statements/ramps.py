@@ -7,7 +7,7 @@ from functools import partial
 
 import numpy as np
 
-from scegen.claims.arms import Arm, arms_of
+from scegen.claims.arms import arms_of
 from scegen.claims.boxes import boxes
 from scegen.claims.claim import NEVER, Claim, Judged, always, way_claim
 from scegen.claims.series import at
@@ -33,8 +33,8 @@ def by_ramp(person: Participant, drive: Drive, field: str) -> Iterator[Claim]:
         yield way_claim(f"exit.{name}", does, field, partial(_exits, drive))
 
 
-def _beyond(view: View, drive: Drive) -> tuple[Arm, Auxiliary, Floats, Floats] | None:
-    """Its arm, the lane, how far past the joint it is, and how far outside the lanes beside (m)."""
+def _beyond(view: View, drive: Drive) -> tuple[Auxiliary, Floats, Floats] | None:
+    """The lane, how far past the joint it is, and how far outside the lanes beside (m)."""
     auxiliary = view.concrete.road.auxiliary
     if auxiliary is None or drive.entry != 0:
         return None
@@ -42,15 +42,15 @@ def _beyond(view: View, drive: Drive) -> tuple[Arm, Auxiliary, Floats, Floats] |
     along, offset = arm.place(boxes(view, drive.participant))
     border = arm.inward * arm.lane_in_m(view.concrete.road.arms[0].lanes_in)
     outside = arm.inward * offset - border - arm.lane_width_m / 2
-    return arm, auxiliary, along - arm.length_m, outside
+    return auxiliary, along - arm.length_m, outside
 
 
 def _merges(drive: Drive, view: View, *, in_lane: bool) -> Judged:
     """How far before the end of its lane it comes over, from the ramp if that is not left yet."""
     found = _beyond(view, drive)
-    if found is None or found[1].kind is AuxiliaryLane.OFF_RAMP:
+    if found is None or found[0].kind is AuxiliaryLane.OFF_RAMP:
         return always(view, holds=False)
-    _, auxiliary, along, outside = found
+    auxiliary, along, outside = found
     step = (outside < 0.0).argmax(axis=1)
     where = at(along, step)
     margin = np.minimum(where, auxiliary.length_m - where)
@@ -64,9 +64,9 @@ def _merges(drive: Drive, view: View, *, in_lane: bool) -> Judged:
 def _exits(drive: Drive, view: View) -> Judged:
     """How long before the ramp it is in the exit lane; it is on the ramp in the end."""
     found = _beyond(view, drive)
-    if found is None or found[1].kind is not AuxiliaryLane.OFF_RAMP:
+    if found is None or found[0].kind is not AuxiliaryLane.OFF_RAMP:
         return always(view, holds=False)
-    _, auxiliary, along, outside = found
+    auxiliary, along, outside = found
     step = (outside > 0.0).argmax(axis=1)
     where = at(along, step)
     margin = np.minimum(-where, auxiliary.length_m + where)

@@ -7,7 +7,7 @@ from functools import partial
 
 import numpy as np
 
-from scegen.claims.claim import NEVER, Claim, Judged, always, rule_claim, within, yes_or_no
+from scegen.claims.claim import NEVER, Claim, Judged, always, rule_claim, within
 from scegen.claims.moments import STANDS_MPS
 from scegen.claims.series import first, longest_run
 from scegen.claims.statements.touching import hit_s
@@ -99,7 +99,11 @@ def _shown(
     With nothing wanted it is all but red.
     """
     rested = OVER_LINE_M if wanted is AtLight.WAITS else 0.0
-    step = _off_kerb(name, view) if afoot else _over_line(name, view, rested)
+    step = _over_line(name, view, rested)
+    if afoot:  # the front comes over the kerb
+        motion = view.concrete.participant(name).motion
+        setback_m = motion.setback_m if isinstance(motion, CrossingMotion) else 0.0
+        step = view.beyond(name, setback_m - view.body(name).front_m)
     time_s, light = view.time_of(step), _light(view, arm, afoot=afoot)
     if light is None:
         return Judged(np.full(view.count, -NEVER), np.full(view.count, np.nan), time_s)
@@ -114,13 +118,6 @@ def _shown(
         -np.minimum(plan.cycle_s - since, since - lasts),
     )
     return Judged(np.where(step <= view.last_step, margin, -NEVER), since - early, time_s)
-
-
-def _off_kerb(name: str, view: View) -> Ints:
-    """The step at which the front of one who crosses comes over the kerb (c,)."""
-    motion = view.concrete.participant(name).motion
-    setback_m = motion.setback_m if isinstance(motion, CrossingMotion) else 0.0
-    return view.beyond(name, setback_m - view.body(name).front_m)
 
 
 def _light(view: View, arm: int, *, afoot: bool = False) -> tuple[SignalPlan, SignalGroup] | None:
@@ -216,7 +213,7 @@ def _passes_dark(drive: Drive, view: View) -> Judged:
         plan is not None and group is not None and plan.state(group, t) is SignalState.OFF
         for t in times.tolist()
     ]
-    return yes_or_no(np.asarray(dark), np.asarray(dark, dtype=np.float64), times)
+    return Judged(np.where(dark, 0.0, -1.0), np.asarray(dark, dtype=np.float64), times)
 
 
 def _over_line(name: str, view: View, beyond_m: float = 0.0) -> Ints:

@@ -163,7 +163,11 @@ def measure_at(
     One along the road is negative where who is said to be ahead, or not, is not there.
     """
     if measure is Measure.LATERAL_GAP_M:
-        return _alongside(view, who, reference, step)
+        # When the two are first level from then on; if never, at that moment.
+        frame, box = boxes(view, reference), boxes(view, who)
+        since = np.arange(view.steps) >= step[:, None]
+        level = first((gap_m(frame, box) < 0.0) & since)
+        return at(free_width_m(frame, box), np.where(level < view.steps, level, step))
     if measure in {Measure.LATERAL_OFFSET_M, Measure.OVERLAP_PERCENT}:
         frame, box = box_at(view, reference, step), box_at(view, who, step)
         return measured(measure, frame, box, side)
@@ -214,10 +218,3 @@ def overlap_percent(frame: Boxes, box: Boxes, side: Side | None) -> Floats:
     middle = (left + right) / 2.0
     there = middle > 0.0 if side is Side.LEFT else middle < 0.0
     return np.where(there, share, -share)
-
-
-def _alongside(view: View, who: str, reference: str, since: Ints) -> Floats:
-    """Free width when the two are first level from a moment on; if never, at that moment."""
-    frame, box = boxes(view, reference), boxes(view, who)
-    level = first((gap_m(frame, box) < 0.0) & (np.arange(view.steps) >= since[:, None]))
-    return at(free_width_m(frame, box), np.where(level < view.steps, level, since))

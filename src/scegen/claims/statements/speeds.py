@@ -146,9 +146,11 @@ def _held_until(told: Told, person: Participant, view: View) -> Ints:
     name = person.id
     closest = view.last_step if person.unresponsive else _closest(told, view, name)
     ends = [_own_change(told, person, view), view.last_step, closest]
-    if _turns(told, name) and not _comes_no_farther(told, name):
-        ends.append(_before_turn(told, name, view))
     between = told.functional.outcome.between if told.functional.outcome else ()
+    # Who is to hit one that stands before it on its arm comes no farther.
+    meets = {*told.logical.stand_before(name)} & {*between}
+    if _turns(told, name) and not (told.collides and name in between and meets):
+        ends.append(_before_turn(told, name, view))
     hits = told.collides and (not between or name in between)
     hit = hit_s(told, view, name)
     happens = np.isfinite(hit)
@@ -194,13 +196,6 @@ def _turns(told: Told, name: str) -> bool:
         or junction.control in _STOPPING
         or any(c.yields == name for c in told.logical.conflicts)
     )
-
-
-def _comes_no_farther(told: Told, name: str) -> bool:
-    """Whether it is to hit who stands before it on its arm."""
-    between = told.functional.outcome.between if told.functional.outcome else ()
-    before = told.logical.stand_before(name)
-    return told.collides and name in between and not {*before}.isdisjoint(between)
 
 
 def _before_turn(told: Told, name: str, view: View) -> Ints:

@@ -32,7 +32,10 @@ def all_acts(story: Story) -> list[Act]:
         if hazard.kind is HazardKind.OVERTAKING:
             acts = _passing_first(story, hazard, acts)
         for act in list(_implied(story, hazard, acts)):
-            acts.insert(_place_of(act, acts), act)
+            # A move aside before its doer stops, as nobody moves aside who stands.
+            its_stop = act.participant, ActKind.STOP
+            stops = [n for n, each in enumerate(acts) if (each.participant, each.kind) == its_stop]
+            acts.insert(stops[0] if stops and act.kind in LEAVING else len(acts), act)
     for drive in story.logical.drives:
         acts += _manoeuvre(story, drive, acts)
     for name in story.in_bays:
@@ -105,13 +108,6 @@ def _passing_first(story: Story, hazard: Hazard, acts: list[Act]) -> list[Act]:
             act = act.model_copy(update={"when": then})  # noqa: PLW2901
         return [*acts[:n], before, act, *acts[n + 1 :]]
     return acts
-
-
-def _place_of(implied: Act, acts: list[Act]) -> int:
-    """At the end; a move aside before its doer stops, as nobody moves aside who stands."""
-    its_stop = implied.participant, ActKind.STOP
-    stops = (n for n, act in enumerate(acts) if (act.participant, act.kind) == its_stop)
-    return next(stops, len(acts)) if implied.kind in LEAVING else len(acts)
 
 
 def does(acts: list[Act], name: str, kinds: frozenset[ActKind]) -> bool:

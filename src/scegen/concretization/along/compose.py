@@ -45,9 +45,8 @@ from scegen.road import build_network
 from scegen.road.model import RoadNetwork
 from scegen.scenario.acts import ActKind
 from scegen.scenario.concrete import ConcreteScenario, door_of
-from scegen.scenario.functional import FunctionalScenario, Hazard
+from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import Drive, LogicalScenario, Reverses
-from scegen.scenario.objects import StaticObject
 from scegen.scenario.road_parameters import RoadParameters
 from scegen.scenario.vocabulary import HazardKind, JunctionKind
 
@@ -175,29 +174,21 @@ def _written(
     doors = opens(story.functional)
     people += [written_door(story, doors[p.id], p) for p in people if p.id in doors]
     things = (r.id for r in story.runners.values() if r.thing and not r.opens)
-    objects = [_thing(story, frame, network, name) for name in things]
+    objects = []
+    for name in things:
+        runner, thing = story.runners[name], story.things[name]
+        pose = frame.pose(network, runner.x_m(0.0), runner.y_m(0.0))
+        objects.append(made_of(name, shape_of(thing), thing.called, pose))
     _note(story)
-    concrete = written_scenario(
-        story, road, people, objects, _caused(story), seed=story.seed, duration_s=lasts_s
-    )
-    return put_between_steps(concrete, build_paths(concrete, network))
-
-
-def _caused(story: Story) -> tuple[Hazard, ...]:
-    """The dangers, those by a thing or a door with that named."""
-    doors = opens(story.functional)
-    return tuple(
+    # Those by a thing or a door with that named.
+    caused = tuple(
         hazard.model_copy(update={"by": tuple(door_of(n) if n in doors else n for n in hazard.by)})
         for hazard in story.hazards
     )
-
-
-def _thing(story: Story, frame: Frame, network: RoadNetwork, name: str) -> StaticObject:
-    """A thing in somebody's lane, at its pose in the world."""
-    runner = story.runners[name]
-    thing = story.things[name]
-    pose = frame.pose(network, runner.x_m(0.0), runner.y_m(0.0))
-    return made_of(name, shape_of(thing), thing.called, pose)
+    concrete = written_scenario(
+        story, road, people, objects, caused, seed=story.seed, duration_s=lasts_s
+    )
+    return put_between_steps(concrete, build_paths(concrete, network))
 
 
 def _note(story: Story) -> None:

@@ -115,7 +115,10 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     said_m = _said_m(story, back)
     usual_m = _CLEAR_HURRYING_M if hurries else _CLEAR_M
     clear_m = said_m or (0.0 if stays and back is None else usual_m)
-    is_clear = partial(_is_past, fast, foremost, clear_m)
+
+    def is_clear(times_s: Array) -> Bools:
+        return free(fast.track(times_s)[0], foremost.track(times_s)[0]).rear >= clear_m
+
     if not stays and not at_once and aside is None:
         reaches = first_s(partial(is_level, fast, slow, JUST_M), begins)
         kept = list(fast.moves)
@@ -176,10 +179,6 @@ def _in_time(
     within_s = reaches_s - begins_s if fixed else reaches_s
     lasts_s = min(max(shortest_s, within_s), longest_s)
     return begins_s if fixed else min(begins_s, max(0.0, reaches_s - lasts_s)), lasts_s
-
-
-def _is_past(fast: Runner, slow: Runner, clear_m: float, times_s: Array) -> Bools:
-    return free(fast.track(times_s)[0], slow.track(times_s)[0]).rear >= clear_m
 
 
 def _beside_lane(story: Story, act: Act, fast: Runner, slow: Runner) -> tuple[int, float]:

@@ -40,8 +40,8 @@ def strip_m(story: Story, *, left: bool) -> float:
 def offset_all(story: Story) -> None:
     """Put those aside of whom the text says how far they are so, or where they are hit."""
     told: set[str] = set()
-    parked = story.parked.keys()
-    known = story.parked | story.runners
+    parked, known = story.parked.keys(), story.parked | story.runners
+    passing = {act.participant for act in story.acts if story.goes_round(act)}
     for spacing in story.functional.spacings:
         who, other = spacing.participant, spacing.reference
         if who == other and who in story.runners:
@@ -51,9 +51,12 @@ def offset_all(story: Story) -> None:
             mover, fixed = (other, who) if who in kept else (who, other)
             pair = known[who], known[other]
             turned = mover != who and pair[0].forward == pair[1].forward
-            meet = _meet(spacing, *pair)
+            # Two who come towards each other: as they are level.
+            meet = spacing.measure is Measure.LATERAL_GAP_M and pair[0].forward != pair[1].forward
             left = _left_m(story, spacing, *pair, NEVER_S if meet else 0.0)
-            if left is not None and not _in_passing(story, spacing, pair):
+            # With a lateral gap somebody passes the other in its lane.
+            passes = spacing.measure is Measure.LATERAL_GAP_M and pair[0].lane == pair[1].lane
+            if left is not None and not (passes and passing & {who, other}):
                 later = meet or spacing.at == CONTACT or spacing.at in story.begins_s
                 aside = -left if turned else left
                 _put_aside(known[mover], known[fixed], aside, in_the_end=later)
@@ -70,18 +73,6 @@ def offset_all(story: Story) -> None:
             continue  # it stays where it is said to be
         left = (0.5 - story.impact_share) * ego.body.width_m
         _put_aside(runner, ego, left, in_the_end=True)
-
-
-def _meet(spacing: Spacing, who: Runner, other: Runner) -> bool:
-    """Whether a lateral gap is the one of two who come towards each other: as they are level."""
-    return spacing.measure is Measure.LATERAL_GAP_M and who.forward != other.forward
-
-
-def _in_passing(story: Story, spacing: Spacing, pair: tuple[Runner, Runner]) -> bool:
-    """Whether a lateral gap is the one with which somebody passes the other in its lane."""
-    passing = {act.participant for act in story.acts if story.goes_round(act)}
-    in_line = pair[0].lane == pair[1].lane and bool(passing & {each.id for each in pair})
-    return spacing.measure is Measure.LATERAL_GAP_M and in_line
 
 
 def _left_m(
@@ -140,7 +131,10 @@ def put_on_strips(story: Story) -> None:
 
     Who walks against the traffic is placed from the lane of those who come towards it.
     """
-    middles = _middles_m(story)
+    strips = strips_along(story)
+    begins = accumulate((width for _, width in strips), initial=0.0)
+    # How far beyond the lanes the middles of the strips lie, outwards.
+    middles = {k: begin + width / 2 for begin, (k, width) in zip(begins, strips, strict=False)}
     for name, runner in story.parked.items():
         strip = story.functional.participant(name).strip
         kinds = {LaneType.PARKING, LaneType.SHOULDER} if strip is None else {LANE_TYPES[strip]}
@@ -173,13 +167,6 @@ def strips_along(story: Story) -> list[tuple[LaneType, float]]:
     strips = story.functional.junction.strips
     parked = bool(strips & BAYS or standing_in_bays(story.functional, story.logical))
     return strips_beside(strips, parked=parked)
-
-
-def _middles_m(story: Story) -> dict[LaneType, float]:
-    """How far beyond the lanes the middles of the strips lie, outwards."""
-    strips = strips_along(story)
-    inside = accumulate((width for _, width in strips), initial=0.0)
-    return {kind: begin + width / 2 for begin, (kind, width) in zip(inside, strips, strict=False)}
 
 
 def _against_traffic(story: Story, name: str) -> Walking | None:

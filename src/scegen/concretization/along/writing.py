@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import partial
 from math import hypot
 
 from scegen.concretization.along.frame import Frame
@@ -75,7 +73,7 @@ def written_runner(
         reversal=reversal,
     )
     program = tuple(
-        written_phase(story, step, _trigger(story, partial(_apart_m, frame, network), runner, step))
+        written_phase(story, step, _trigger(story, (frame, network), runner, step))
         for step in sorted(runner.steps, key=lambda step: step.begins_s)
     )
     speed = runner.speed_mps
@@ -104,10 +102,7 @@ def _changes(frame: Frame, runner: Runner) -> tuple[LaneChange, ...]:
 
 
 def _trigger(
-    story: Story,
-    apart_m: Callable[[Runner, Runner, float], float],
-    runner: Runner,
-    step: SpeedChange,
+    story: Story, place: tuple[Frame, RoadNetwork], runner: Runner, step: SpeedChange
 ) -> Trigger:
     """What sets a step off: time if that is said, who it answers, or how far the ego has come."""
     if step.timed:
@@ -115,10 +110,10 @@ def _trigger(
     moment = just_before_step_s(step.begins_s)
     if step.reacts_to is not None and step.reacts_to in story.runners:
         other = story.runners[step.reacts_to]
-        apart = apart_m(runner, other, moment)
+        apart = _apart_m(*place, runner, other, moment)
         # Who has been passed by was as near before.
         looks = range(int(max(moment - _LOOK_S, 0.0) / _LOOK_S))
-        first = all(apart_m(runner, other, n * _LOOK_S) > apart for n in looks)
+        first = all(_apart_m(*place, runner, other, n * _LOOK_S) > apart for n in looks)
         along = other.speed_at_mps(moment) * runner.sign * other.sign
         closing = runner.speed_at_mps(moment) > along + 0.05
         participant = not other.thing

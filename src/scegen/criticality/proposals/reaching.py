@@ -130,11 +130,5 @@ def _reach(
 
 def _arrives_s(place_m: Floats, at_m: float, dt_s: float) -> Floats:
     """When each candidate (c, t) comes to a place, within a step; nan where it does not."""
-    after = place_m >= at_m
-    step = after.argmax(axis=1)
-    rows = np.arange(place_m.shape[0])
-    before = np.maximum(step - 1, 0)
-    gone = place_m[rows, step] - place_m[rows, before]
-    part = np.where(gone > 0.0, (at_m - place_m[rows, before]) / np.where(gone > 0.0, gone, 1.0), 0)
-    times: Floats = np.where(after.any(axis=1) & (step > 0), (before + part) * dt_s, np.nan)
-    return times
+    times_s = np.arange(place_m.shape[1]) * dt_s
+    return np.array([np.interp(at_m, own, times_s, left=np.nan, right=np.nan) for own in place_m])

@@ -51,22 +51,17 @@ def _places_m(encounters: Sequence[Encounter]) -> dict[str, float]:
 
 def _encounters(view: View) -> list[Encounter]:
     """The closest meeting of every pair that has a conflict area, in the order of time."""
-    areas, found = view.scene.areas, []
-    movers = len(view.concrete.participants)
+    found, movers = [], len(view.concrete.participants)
     for p, pair in enumerate(view.scene.pairs):
         if pair.max() >= movers:
             continue  # a thing comes at no time
         met = []
-        for n in range(areas.first[p], areas.first[p + 1]):
+        for area in view.areas(*view.names_of(p)):
+            names, edges = [*view.names_of(p)], (area[:2], area[2:])
             passages = [
-                Passage(
-                    _time_s(view, name, areas.enter_m[n, k]),
-                    _time_s(view, name, areas.leave_m[n, k]),
-                    float(areas.enter_m[n, k]),
-                )
-                for k, name in enumerate(view.names_of(p))
+                Passage(_time_s(view, name, comes_m), _time_s(view, name, goes_m), comes_m)
+                for name, (comes_m, goes_m) in zip(names, edges, strict=True)
             ]
-            names = [*view.names_of(p)]
             if passages[1].enters_s < passages[0].enters_s:
                 passages.reverse()
                 names.reverse()
@@ -87,10 +82,9 @@ def _least_behind_s(view: View, *, leader: str, follower: str) -> float:
 
     Over the places that the leader comes by in the lane that both share.
     """
-    found = view.pair(follower, leader)
-    if found is None or view.scene.following.first[found] < 0:
+    first = view.rows_behind(follower, leader)
+    if first < 0:
         return inf
-    first = view.scene.following.first[found]
     begin, end = view.place_m(leader)[0, [0, -1]] / SPACING_M
     n = np.arange(int(np.ceil(begin)), int(end) + 1)
     rear: Floats = view.scene.following.rear_m[first + n]

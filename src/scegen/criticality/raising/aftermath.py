@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from scegen.claims.boxes import boxes, contact, seen
+from scegen.claims.boxes import boxes, contact, free, seen
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import COS, SIN
 from scegen.scenario.concrete import (
@@ -143,12 +143,6 @@ def _along_mps(view: View, who: str, other: str, step: int) -> float:
 def _with_its_front(view: View, who: str, other: str) -> bool:
     """Whether they meet at its front: there their boxes are about to separate, seen from it."""
     touch = contact(view, who, other)
-    own, far = touch.first, touch.second
-    dx, dy = float(far.x[0] - own.x[0]), float(far.y[0] - own.y[0])
-    cos, sin = float(own.cos[0]), float(own.sin[0])
-    x, y = dx * cos + dy * sin, dy * cos - dx * sin
-    c = abs(cos * float(far.cos[0]) + sin * float(far.sin[0]))
-    s = abs(cos * float(far.sin[0]) - sin * float(far.cos[0]))
-    deep_x = own.half_length + far.half_length * c + far.half_width * s - abs(x)
-    deep_y = own.half_width + far.half_length * s + far.half_width * c - abs(y)
-    return x > 0.0 and deep_x <= deep_y
+    clear = free(touch.first, touch.second)
+    nearest = [float(values[0]) for values in clear]
+    return nearest[0] == max(nearest)

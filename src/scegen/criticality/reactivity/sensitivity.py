@@ -35,7 +35,7 @@ SLOWER, FASTER = 0.8, 1.2
 CRITICAL_DISTANCE_M = 1.5 * 0.8
 CRITICAL_PET_S = 1.5 * 1.0
 CRITICAL_TTC_S, WITHIN_M = 1.5 * 1.5, 1.5 * 2.0
-_AT_END_M = 1e-6
+_AT_END_M, _DT_S = 1e-6, 0.01
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,11 +86,7 @@ class Sensitivity:
 
 
 def ego_start_sensitivity(
-    concrete: ConcreteScenario,
-    paths: Mapping[str, Path],
-    *,
-    partner: str | None = None,
-    dt_s: float = 0.01,
+    concrete: ConcreteScenario, paths: Mapping[str, Path], *, partner: str | None = None
 ) -> Sensitivity | None:
     """Start the ego 20 % slower and faster; None where it meets nobody.
 
@@ -101,7 +97,6 @@ def ego_start_sensitivity(
         paths: its paths by participant, as :func:`scegen.motion.build_paths` makes them.
         partner: whom the event is about; None for whoever comes nearest to the ego, those who
             are parked only where nobody else is or a hazard names them.
-        dt_s: time step of the simulation, s.
     """
     if partner is None:
         met = closest_encounter(concrete, play(concrete, paths))
@@ -109,7 +104,7 @@ def ego_start_sensitivity(
             return None
         partner = met.other
     ways = tuple((name, path.digest) for name, path in paths.items())
-    return _compared(_Asked(concrete, partner, dt_s, ways, paths))
+    return _compared(_Asked(concrete, partner, ways, paths))
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,7 +113,6 @@ class _Asked:
 
     concrete: ConcreteScenario
     partner: str
-    dt_s: float
     ways: tuple[tuple[str, bytes], ...]
     paths: Mapping[str, Path] = field(compare=False)
 
@@ -126,7 +120,7 @@ class _Asked:
 @lru_cache(maxsize=8)
 def _compared(asked: _Asked) -> Sensitivity:
     """Kept, because the judgement of a scenario asks what the search for it has found."""
-    concrete, paths, partner, dt_s = asked.concrete, asked.paths, asked.partner, asked.dt_s
+    concrete, paths, partner = asked.concrete, asked.paths, asked.partner
     people = concrete.entities
     ego = people.index(concrete.ego)
     program, candidate = compile_program(concrete, paths)
@@ -141,19 +135,19 @@ def _compared(asked: _Asked) -> Sensitivity:
     scene = everybody._replace(
         bodies=bodies[met], pairs=np.array([[0, 1]]), occlusions=everybody.occlusions[:0]
     )
-    traces = simulate_batch(program, candidates, duration_s=concrete.latest_end_s, dt_s=dt_s)
+    traces = simulate_batch(program, candidates, duration_s=concrete.latest_end_s, dt_s=_DT_S)
     other = [p.id for p in people].index(partner)
     starts = []
     for c, factor in enumerate(factors):
         arrives = _ends(concrete, paths, traces, c)
         end = min(arrives[ego], arrives[other])
         if c == 0:
-            end = min(end, round(concrete.duration_s / dt_s))
+            end = min(end, round(concrete.duration_s / _DT_S))
         # A copy: kernels are compiled for contiguous tracks.
         tracks = np.ascontiguousarray(traces.tracks[c : c + 1, met, :, : end + 1])
-        found = measure(BatchTraces(dt_s, tracks, traces.fired_step[c : c + 1]), scene)
+        found = measure(BatchTraces(_DT_S, tracks, traces.fired_step[c : c + 1]), scene)
         touch = contact_steps(traces.tracks, c, end + 1, bodies, others)
-        in_time = (touch >= 0) & (touch * dt_s < (arrives * dt_s)[others].min(axis=1))
+        in_time = (touch >= 0) & (touch * _DT_S < (arrives * _DT_S)[others].min(axis=1))
         starts.append(_start(found, factor, others_touch=bool(in_time.any())))
     return Sensitivity(partner, *starts)
 

@@ -68,18 +68,11 @@ def early_contact_missing(view: View, pair: tuple[str, str], room: float) -> Flo
 def second_enters_s(view: View, pair: tuple[str, str]) -> Floats:
     """When the second of a pair enters, in the first conflict area that both enter; inf: none."""
     first = np.full(view.count, np.inf)
-    found = view.pair(*pair)
-    if found is None:
-        return first
-    areas = view.scene.areas
-    places = [view.place_m(name) for name in view.names_of(found[0])]
-    for n in range(areas.first[found[0]], areas.first[found[0] + 1]):
-        enters = [
-            (place < areas.enter_m[n, k]).sum(axis=1) * view.dt_s for k, place in enumerate(places)
-        ]
-        beyond = [place[:, 0] >= areas.leave_m[n, k] for k, place in enumerate(places)]
-        defined = ~np.logical_or(*beyond)
-        first = np.where(defined, np.minimum(first, np.maximum(*enters)), first)
+    own, other = (view.place_m(name) for name in pair)
+    for area in view.areas(*pair):
+        enters = (own < area.enter_m).sum(axis=1), (other < area.other_enters_m).sum(axis=1)
+        beyond = (own[:, 0] >= area.leave_m) | (other[:, 0] >= area.other_leaves_m)
+        first = np.where(beyond, first, np.minimum(first, np.maximum(*enters) * view.dt_s))
     return first
 
 
