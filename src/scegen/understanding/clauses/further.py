@@ -67,7 +67,8 @@ def _names_before(state: State) -> bool:
         return False
     following = state.at(1)
     known = before.is_ego or before.label is not None or before.has("det", "def")
-    ends = known and bool(state.events) and following.value in BOUNDARIES  # "hits the SV, a car."
+    alone = following.value in BOUNDARIES or [c.cat for c in state.after(2)] == ["punct", "prep"]
+    ends = known and bool(state.events) and alone  # "hits the SV, a car."
     listed = following.cat == "conj" and state.at(-1).value != "mild"
     acts = isinstance(following, Event) and following.form != "ing"
     named = (before.is_named or ends) and not here.is_named

@@ -97,7 +97,6 @@ def _owing_to(k: int, chunks: list[Chunk]) -> list[Entity]:
     return who.entities if who is not None and who.stands_after("due", "by") else []
 
 
-_HIDING = frozenset({"behind", "between"})
 _OPENERS = frozenset({"det", "possessive"})
 _DESCRIBING = frozenset({"unknown", "label", "inert", "state", "noted", "env"})
 _NOUN_ENDS = frozenset({"prep", "conj", "sub", "rel", "aux", "locus", "punct", "manner", "copy"})
@@ -127,7 +126,7 @@ def _hides(chunks: list[Chunk], k: int) -> bool:
     if not isinstance(word, Term):
         return False
     if word.cat == "locus":
-        return word.value in _HIDING
+        return word.value in {"behind", "between"}
     before = chunks[max(0, k - 2) : k]
     hidden = any(isinstance(c, Event) and c.name == "hide" and c.form == "ed" for c in before)
     return word.value == "by" and hidden
