@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from scegen.concretization.clearance import same_lane, touches
 from scegen.concretization.drafts import DriveDraft, Wait
-from scegen.concretization.lights import lay_lights, stands_at_red, wait_for_green
+from scegen.concretization.lights import lay_lights, wait_for_green
 from scegen.concretization.limits import APPROACH_S, HEADWAY_S, LEAD_IN_S
 from scegen.concretization.meetings import ORDINARY, Meeting
 from scegen.concretization.priorities import Manners, patient_ones
@@ -124,11 +124,7 @@ def _latest_s(scene: Setup, first_s: Mapping[str, float]) -> Iterator[float]:
         if draft.backs_out:
             # It stands near where it starts until its time has come.
             yield draft.offset_s
-        elif not (
-            draft.stands
-            or stands_at_red(scene.functional.participant(name))
-            or scene.sets_off(name)
-        ):
+        elif not (draft.stands or scene.sets_off(name) or scene.stands_at_line(name)):
             places = [first_s[name], draft.junction_s_m - _BEFORE_JUNCTION_M]
             places += [mark.s_m for mark in draft.speed_changes() if mark.s_m > 0.5]
             places += [draft.laid.path_s_m(change.position_m) for change in draft.lane_changes]

@@ -17,7 +17,7 @@ from scegen.concretization.drafts import DriveDraft, Wait
 from scegen.concretization.encounters import conflict_meetings, join_traffic
 from scegen.concretization.fitting import conditioned, fit
 from scegen.concretization.leaving import leave_lanes, shape_maneuvers
-from scegen.concretization.lights import STOOD_S, WAITS_S, set_lights, stands_at_red
+from scegen.concretization.lights import STOOD_S, WAITS_S, set_lights
 from scegen.concretization.limits import FAST_LATERAL_MPS2, JITTER, LATERAL_MPS2
 from scegen.concretization.meeting_lanes import choose_junction_lanes
 from scegen.concretization.meetings import Meeting
@@ -134,11 +134,10 @@ def _draft(scene: Setup, drive: Drive) -> DriveDraft:
     others = {each.participant for each in scene.logical.drives}
     wait = scene.first_act(participant.id, ActKind.WAIT)
     cruise = _cruise_speed_mps(scene, participant, drive.entry)
-    at_red = stands_at_red(participant)
-    waits_s = STOOD_S if at_red else WAITS_S if participant.light is AtLight.WAITS else None
-    stands = at_red or drive.maneuver is Maneuver.STAY
-    if scene.sets_off(participant.id) or stands:  # so it came there
-        cruise = scene.driven_mps(participant.id, scene.limit_mps)
+    at_line = scene.stands_at_line(participant.id)
+    waits_s = STOOD_S if at_line else WAITS_S if participant.light is AtLight.WAITS else None
+    if scene.sets_off(participant.id) or at_line or drive.maneuver is Maneuver.STAY:
+        cruise = scene.driven_mps(participant.id, scene.limit_mps)  # so it came there
     fast = scene.kinds_by(participant.id) & _FAST
     return DriveDraft(
         id=participant.id,

@@ -25,7 +25,7 @@ from scegen.motion.rules.intergreen import (
 )
 from scegen.motion.rules.lights import at_lights, green_phases, light_runners, must_obey
 from scegen.scenario.control import LIGHTS, oncoming_arms
-from scegen.scenario.functional import FunctionalScenario, Participant
+from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.signals import AtLight, SignalGroup, SignalPlan
 from scegen.scenario.vocabulary import ANIMALS, Control, JunctionKind
 
@@ -82,12 +82,6 @@ def wait_for_green(scene: Setup, draft: DriveDraft) -> None:
     again = draft.course.going_on
     longer = goes - (draft.offset_s + again.begins_s) if again is not None else 0.0
     draft.waits = Wait(least + max(0.0, longer))
-
-
-def stands_at_red(participant: Participant) -> bool:
-    """Whether one who waits for green is said to stand there from the start."""
-    speed = participant.speed_mps
-    return participant.light is AtLight.WAITS and speed is not None and speed.high == 0.0
 
 
 def crosses_s(draft: DriveDraft) -> float:

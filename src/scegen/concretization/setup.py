@@ -155,3 +155,9 @@ class Setup(Tale):
     def sets_off(self, name: str) -> bool:
         """Whether the first that one does is to set off: it stands until then."""
         return any(act.kind is ActKind.SET_OFF for act in self.speed_acts(name)[:1])
+
+    def stands_at_line(self, name: str) -> bool:
+        """Whether one who drives on is said to stand there from the start."""
+        one = self.functional.participant(name)
+        stands = one.strip is None and one.speed_mps is not None and one.speed_mps.high == 0.0
+        return stands and not self.sets_off(name)

@@ -181,8 +181,11 @@ def moment(figure: Figure, measure: Measure, one: Entity, other: Entity) -> Doin
         return START
     own = figure.verb
     told = {own.i} if own is not None and own.i < figure.i else set()
+    comes = own is not None and own.lemma in word_list("nearing")
+    comes = comes and any(map(figure.words_around.preceded, word_list("coming_to")))
     into = (
         begun[-1:]
+        or [a for a in acts if comes and a.i > figure.i]  # "gets to within 20 m and brakes"
         or [a for a in acts if a.kind in _INTO and told & a.places]
         or [a for a in acts if _in_trigger(a, figure)]
         or _revealed_by(figure, one, other)
@@ -222,7 +225,9 @@ def _opens_with(figure: Figure, acts: list[Doing]) -> list[Doing]:
     text = figure.text
     commas = [k for k in range(figure.start, figure.i) if text.tokens[k].low == ","]
     begin = max(commas, default=figure.start)
-    before = [m for m in text.mentions if begin <= m.i < figure.i and not m.possessor]
+    alike = text.tokens[begin].low == "with"  # "with the car 20 m ahead, the ego changes lanes"
+    named = [m for m in text.mentions if begin <= m.i < figure.i and not m.possessor]
+    before = [] if alike else named
     inside = begin > figure.start or bool(before)
     if text.within(begin, figure.i) or (inside and figure.after is None):
         return []
@@ -235,7 +240,7 @@ def _opens_with(figure: Figure, acts: list[Doing]) -> list[Doing]:
         return []
     who = [e for m in before for e in m.entities][:1]
     over = [a for a in acts if first.i in a.places and (who or [a.entity]) == [a.entity]]
-    return [a for a in over if not inside or a.kind is ActKind.CHANGE_LANE]
+    return [a for a in over if not inside or (_goes_in(a) and not first.passive)]
 
 
 def _as_it_begins(figure: Figure, acts: list[Doing]) -> list[Doing]:

@@ -43,7 +43,7 @@ def held(figure: Figure) -> bool:
     for entity in able:
         if entity.speed is not None and entity.speed != speed:
             _hand_on(entity, figure)
-        if entity.speed is None:
+        if _free(entity, figure):
             entity.speed, entity.speed_basis = speed, figure.amount.basis
         elif entity.speed != speed:
             return False
@@ -57,13 +57,18 @@ def _taken(figure: Figure) -> list[Entity]:
     near = figure.named_before(figure.i - 1)
     taken = []
     for entity, quantity in whose(figure):
-        speed, basis = quantity.value, entity.speed_basis
-        later = basis is not None and figure.i < (basis.i or 0)  # "at 30 km/h …; nothing moves"
-        free = entity.speed is None or (entity.speed == STILL and later)
-        if free and _can(entity, speed, near) and not entity.parked:
-            entity.speed, entity.speed_basis = speed, Basis(figure.i, figure.j, quantity.note)
+        able = _can(entity, quantity.value, near) and not entity.parked
+        if able and _free(entity, figure):
+            basis = Basis(figure.i, figure.j, quantity.note)
+            entity.speed, entity.speed_basis = quantity.value, basis
             taken.append(entity)
     return taken
+
+
+def _free(entity: Entity, figure: Figure) -> bool:
+    """Whether it may be so fast: "at 30 km/h …; nothing moves", "waits, then turns at 10 km/h"."""
+    later = entity.speed_basis is not None and figure.i < (entity.speed_basis.i or 0)
+    return entity.speed is None or (entity.speed == STILL and (later or entity.sets_off >= 0))
 
 
 def _able(figure: Figure, meant: list[Entity]) -> list[Entity]:
@@ -250,8 +255,9 @@ def _opens_with(figure: Figure) -> list[Entity]:
 
     So it is in "60 km/h is the speed of both".
     """
-    text = figure.text  # behind a title, if there is one
-    start = max([figure.start, *(c.j for c in text.chunks if c.value == ":" and c.i < figure.i)])
+    text = figure.text  # behind a title, if there is one; "…, and at 80 km/h a van drives ahead"
+    joints = (c for c in text.chunks if c.value == ":" or (c.cat == "conj" and c.j == figure.i - 1))
+    start = max([figure.start, *(c.j for c in joints if c.i < figure.i)])
     before = [c for c in text.chunks if start <= c.i < figure.i]
     fronted = {id(p.target) for m in text.mentions for p in m.pps if p.fronted}  # "behind a bus"
     free = (m for m in text.mentions if id(m) not in fronted)

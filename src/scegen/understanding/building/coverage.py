@@ -231,9 +231,10 @@ def _told(event: Event, tokens: list[Token]) -> bool:
 def _shown(kind: ActKind, doer: Participant, scenario: FunctionalScenario) -> bool:
     """Whether the scenario has an act or a way of one's own that amounts to it."""
     own = {act.kind for act in scenario.acts if act.participant == doer.id}
+    stands = doer.speed_mps is not None and doer.speed_mps.high == 0.0
     at_rest = kind in {ActKind.STOP, ActKind.GIVE_WAY, ActKind.BRAKE}
-    if at_rest and (doer.parked or doer.light in {AtLight.RED, AtLight.WAITS}):
+    if at_rest and (stands or doer.parked or doer.light in {AtLight.RED, AtLight.WAITS}):
         return True
-    if kind is ActKind.SET_OFF and doer.strip in BAYS:
+    if kind is ActKind.SET_OFF and (stands or doer.strip in BAYS):
         return True  # nobody drives along in a bay
     return bool(own & {kind, *_SHOWN_BY[kind]} or doer.maneuvers & _MOVES[kind])

@@ -12,7 +12,6 @@ _PASSING = frozenset({"overtake", "pass", "undertake", "bypass"})
 _MET = _PASSING | {"collide"}
 _OUT, _HALVES = frozenset({"overtake", "bypass"}), frozenset({"lane", "side"})
 _ASIDE = frozenset({",", "unknown", "inert"})
-_AT_REST = frozenset({"park", "wait", "stop"})
 
 
 def preposition(word: Term, state: State) -> None:
@@ -148,7 +147,7 @@ def outside(state: State, number: Term | None = None) -> Event:
     So does a speed: ``hits a van standing there at 50 km/h``.
     """
     last = state.events[-1]
-    put_in = last.name in _AT_REST and (last.embedded or not last.finite)
+    put_in = last.name in {"park", "wait", "stop"} and (last.embedded or not last.finite)
     outer = [e for e in state.events if put_in and e.finite and not e.embedded]
     closed = "," in state.between or (number is not None and number.value == "speed")
     return outer[-1] if outer and closed else last

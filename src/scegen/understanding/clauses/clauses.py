@@ -213,7 +213,7 @@ class ClauseReader:
         adverb = before.cat == "manner" and event.name == "move"
         opens = opener is NOTHING or opener.cat in _OPENERS
         fronted = bool(self._state.fronted) or (adverb and opens)
-        return fronted and finite and isinstance(following, Mention)
+        return fronted and finite and isinstance(following, Mention | Thing)
 
     def _by_a_stranger(self, event: Event) -> bool:
         """``roadworks blocking the lane``, ``a steward waves``: no participant does it."""

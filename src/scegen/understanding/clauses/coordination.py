@@ -194,9 +194,6 @@ def _in_parallel(anchor: Mention, state: State) -> bool:
     return prep and isinstance(place, Place)
 
 
-_SHARED = ("compass", "dir")
-
-
 def share_out(events: list[Event], terms: list[Term]) -> list[Event]:
     """The events with statements about several participants taken apart.
 
@@ -219,7 +216,7 @@ def _apart(event: Event) -> list[Event]:
     count = len(event.doers)
     if count < 2 or event.alternative is not None:
         return [event]
-    shares = [ways for cat in _SHARED if (ways := _ways(event, cat, count))]
+    shares = [ways for cat in ("compass", "dir") if (ways := _ways(event, cat, count))]
     sides = _sides(event, count)
     if not (shares or sides):
         return [event]

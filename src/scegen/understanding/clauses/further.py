@@ -71,9 +71,7 @@ def _names_before(state: State) -> bool:
     known = before.is_ego or before.label is not None or before.has("det", "def")
     known = known or before.noun in _OF_ANY_KIND
     closed = ends(following) or (following.value == "," and after.cat in _GOES_ON)
-    closed = (
-        known and closed and (state.candidate_done or bool(state.events))
-    )  # "hits the SV, a car.", "nears a vehicle, …"
+    closed &= known and (state.candidate_done or bool(state.events))  # "hits the SV, a car."
     listed = following.cat == "conj" and state.at(-1).value != "mild"
     acts = isinstance(following, Event) and following.form != "ing"
     named = (before.is_named or closed) and not here.is_named

@@ -57,7 +57,6 @@ _BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
 _ARMS = frozenset({"leg", "road"})
 _BY_ROAD = frozenset({"from", "into"})
 _LEADING = frozenset({"in", "into", "to", "for"})
-_ASIDE = frozenset({"in", "to"})
 
 
 def side_of_place(noun: NounPhrase, state: State) -> bool:
@@ -99,13 +98,14 @@ def _lane_beside(lane: Place, side: Place, state: State) -> bool:
     verb = state.at(-3)  # "enters the lane to the left"
     gone_to = isinstance(verb, Event) and verb.name != "leave"
     there = lane.kind == "lane" and (gone_to or lane.prep is not None or "adjacent" in lane.dirs)
-    there = there and side.stands_after(*_ASIDE)
+    there = there and side.stands_after("in", "to")
     there = there and lane.owner is None and not lane.has("possessive")
     return owned or there or side.has("possessive")
 
 
 _SIDES = frozenset({"side", "direction", "lane", "sidewalk", "shoulder", "bike_lane", "access",
-                    "parking", "bus_stop"})  # fmt: skip
+                    "parking", "bus_stop", "signal", "stop_sign", "stop_line",
+                    "yield_sign"})  # fmt: skip
 _ASIDE_OF_THE_ROAD = frozenset({"side", "sidewalk", "shoulder", "bus_stop", "parking"})
 RESTING = frozenset({("park", "ed"), ("park", "ing"), ("wait", "ing"), ("stop", "ed")})
 """How who stands is described: "behind a bus standing at a stop"."""
@@ -149,6 +149,7 @@ def opens_clause(state: State) -> bool:
         if not (begins or listed or "sub" in state.between):
             return False
         m = behind_insertion(chunks, m + 1)
+    m += value_at(chunks, m) == "mild"  # "there stands"
     inverted = _stands_before_subject(chunks, m)
     m += cat_at(chunks, m) in {"aux", "copy"} or inverted
     # "50 m ahead of the ego lies a pedestrian crossing"
@@ -174,7 +175,8 @@ def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
         target.kind in _SIDES
         or (target.kind in _ROADS and (target.arm or target.dirs or _side_after(chunks, m + 1)))
     )
-    if locus and _stands_before_subject(chunks, m):
+    whence = first.value == "from" and value_at(chunks, m) == ","  # "from behind, a van comes up"
+    if locus and (whence or _stands_before_subject(chunks, m)):
         return m  # "from ahead comes a van"
     owned = chunk_at(chunks, m + 1)
     sided = isinstance(target, Mention) and target.possessor and isinstance(owned, Place)

@@ -199,8 +199,8 @@ def _prepositional(mention: Mention, prep: Prep, state: State) -> None:
     if made and last and last.control == "subject" and last.form == "ed" and prep.value == "by":
         last.subject = [mention]  # "a U-turn is made by a van": the van makes one
         _done_by(made, mention)
-    if prep.value == "of" and state.anchor is not None and prep.on_mention is not None:
-        prep.on_mention.whole = prep.on_mention.whole if owns else mention
+    if prep.value == "of" and state.anchor and prep.on_mention is not None and not owns:
+        prep.on_mention.whole = mention
         return
     if state.waiting is not None and state.verb_follows:
         state.last_pp = mention

@@ -162,8 +162,8 @@ def _past_being(event: Event, state: State) -> bool:
 
 
 def _subjectless(event: Event, state: State) -> None:
-    """``while turning``: the subject of the clause before, or of the one that follows."""
-    if state.waiting is not None and event.finite:
+    """``while turning``: who waits for a verb, acted before, or acts in the clause that follows."""
+    if state.waiting is not None:
         event.subject = chain(state.waiting)
     elif state.last is not None and not event.finite and "," not in state.between:
         event.subject = state.main or state.last.subject

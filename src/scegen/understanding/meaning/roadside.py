@@ -93,7 +93,6 @@ def _held(thing: Thing, k: int, chunks: list[Chunk], draft: Draft) -> bool:
     return (along and afoot) or carried(thing, chunks, draft.tokens)
 
 
-_HIDING = frozenset({"behind", "between"})
 _OPENERS = frozenset({"det", "possessive"})
 _DESCRIBING = frozenset({"unknown", "label", "inert", "state", "noted", "env"})
 _NOUN_ENDS = frozenset({"prep", "conj", "sub", "rel", "aux", "locus", "punct", "manner", "copy"})
@@ -123,7 +122,7 @@ def _hides(chunks: list[Chunk], k: int) -> bool:
     if not isinstance(word, Term):
         return False
     if word.cat == "locus":
-        return word.value in _HIDING
+        return word.value in {"behind", "between"}
     before = chunks[max(0, k - 2) : k]
     hidden = any(isinstance(c, Event) and c.name == "hide" and c.form == "ed" for c in before)
     return word.value == "by" and hidden

@@ -15,7 +15,6 @@ from scegen.understanding.phrases.lookahead import (
 )
 from scegen.understanding.words.terms import Term
 
-_SMALL = frozenset({"manner", "prep"})
 _NOBODY = "nobody"
 _GENERIC = frozenset({"car", "driver", "adversary"})
 _SPECIFIC = frozenset({"pedestrian", "bicycle", "motorcycle", "truck", "bus"})
@@ -274,7 +273,7 @@ def _entry(title: list[Chunk], chunks: list[Chunk], k: int) -> int:
     if not who or any(isinstance(c, Event) and not c.nominal for c in title):
         return k
     m = k + 1
-    while cat_at(chunks, m) in _SMALL:
+    while cat_at(chunks, m) in {"manner", "prep"}:
         m += 1
     value = chunk_at(chunks, m)
     last = m + 1 == len(chunks) or value_at(chunks, m + 1) in {".", ";", ","}

@@ -162,11 +162,11 @@ def only_a_noun_follows(word: Term, k: int, chunks: list[Chunk]) -> bool:
 
 def by_follows(chunks: list[Chunk], k: int) -> bool:
     """``struck from behind by a van``: who does it stands after "by"."""
-    for chunk in chunks[k + 1 : k + 7]:
+    for m, chunk in enumerate(chunks[k + 1 : k + 7], start=k + 2):
         if isinstance(chunk, Mention | Event):
             return False
         if chunk.value == "by":
-            return True
+            return not isinstance(chunk_at(chunks, m), Event)  # "by turning right"
         if chunk.cat not in {"", "prep", "locus", "manner", "dir"}:
             return False
     return False

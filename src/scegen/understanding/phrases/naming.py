@@ -96,7 +96,6 @@ def _name(m: int, terms: list[Term], tokens: list[Token], *, bare: bool = False)
     return None
 
 
-_HELPS = frozenset({"aux", "manner"})
 _JOINTS = frozenset({"punct", "sub", "conj"})
 _FROM = frozenset({"from", "in"})
 _ENDS = frozenset({":", ",", "."})
@@ -128,7 +127,7 @@ def under_test(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     if first is None or first.head is None or first.is_ego:
         return chunks
     after = chunks[chunks.index(first) + 1 :]
-    verb = next((c for c in after if c.cat not in _HELPS), None)
+    verb = next((c for c in after if c.cat not in {"aux", "manner"}), None)
     mere = [(m.cat, m.value) for m in first.mods] == [("det", "def")]
     clause = takewhile(lambda c: c.cat not in _JOINTS, after)  # "the vehicle leading the ego"
     meets = any(isinstance(c, Mention) and c.is_ego for c in clause)

@@ -10,7 +10,6 @@ from scegen.understanding.phrases.lookahead import BOUNDARIES, GOVERNING, cat_at
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
-_SIDED = frozenset({"side", "direction"})
 _SIDES = frozenset({"left", "right", "opposite"})
 _CROSSED = frozenset({"crosswalk", "road", "access", "junction"})
 _WHICH = frozenset({"which", "whom"})
@@ -113,7 +112,7 @@ def _crossed_there(chunks: list[Chunk], k: int, road: Place) -> bool:
 
 def _remember(chunk: Place, last: dict[str, Place], tokens: list[Token]) -> None:
     """Keeps a place by what may mean it again; one that is pointed at gets the sides of that."""
-    kind = "side" if chunk.kind in _SIDED else chunk.kind
+    kind = "side" if chunk.kind in {"side", "direction"} else chunk.kind
     if kind in _COME_FROM and _SIDES & set(chunk.dirs):
         last["anywhere"] = chunk
     if kind in _CROSSED:

@@ -115,6 +115,7 @@ def _ridden(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> No
     named = [c for c in chunks if isinstance(c, Mention)]
     told += [(c, p) for c in named if tells(c) for p in c.pps]
     taken = {c.j for c in named if is_somebody(c)}  # "I pass a woman on a bicycle"
+    taken |= {m.j for e in events for m in e.mods if e.name == "approach"}  # "close to 20 m on it"
     for who, prep in told:
         what, word = prep.who, tokens[prep.word.i].low
         aboard = prep.value == "in" and word in word_list("aboard") and prep.word.i not in taken
@@ -219,8 +220,6 @@ def _doored(vehicle: Mention) -> bool:
 
 
 _STEPS = frozenset({"walk", "cross", "appear"})
-_RIDDEN = frozenset({"bicycle", "motorcycle"})
-_WAITS = frozenset({"wait", "stop"})
 _MY = frozenset({"my", "our"})
 _REACH = 3
 """Within so many words after "my" stands what is mine."""
@@ -242,7 +241,7 @@ def teller_goes_by(
     mines = [kind for m, kind in kinds if mine(m, kind)]
     if my_car or any("drives" in e.data for e in own):
         return next(iter(mines), None)
-    ridden = {m.value for c in mentions for m in c.heads} & _RIDDEN
+    ridden = {m.value for c in mentions for m in c.heads} & {"bicycle", "motorcycle"}
     cycles = any(_cycles(e) for e in own) or _rides(tokens, others=bool(ridden))
     if ParticipantKind.BICYCLE in mines or cycles:
         return ParticipantKind.BICYCLE
@@ -270,7 +269,7 @@ def _afoot(event: Event) -> bool:
     if event.name in _STEPS and event.lemma in word_list("stepping"):
         return True
     places = [event.object, *(p.target for p in event.pps)]
-    waits = event.name in _WAITS
+    waits = event.name in {"wait", "stop"}
     return waits and any(isinstance(p, Place) and p.kind == "sidewalk" for p in places)
 
 

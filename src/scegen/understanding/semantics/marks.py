@@ -23,6 +23,7 @@ NOTED = (
     "bides",  # it waits to turn
     "begins_over",  # it only begins to change lanes, as far as has been told
     "goes_back",  # it goes back before it has changed lanes
+    "backs",  # it drives backwards at some time
     "walks_up",  # it goes towards the road, on foot, and has not crossed it
     "halts",  # it stops at the kerb, and does not go on
     "unmoved",  # it does not react

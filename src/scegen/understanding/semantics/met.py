@@ -12,7 +12,6 @@ from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.words.tokens import low_at
 
 _TOWARDS = frozenset({"to", "into", "in", "for", "with"})
-_REAR = frozenset({"rear", "back"})
 _ACROSS = frozenset({Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE, Approach.AHEAD,
                      Approach.BEHIND})  # fmt: skip
 
@@ -38,7 +37,7 @@ def _rear_inside(event: Event, context: Context) -> bool:
     """
     said = context.lows(event.i, event.j + 1)
     own = zip_longest(said[: event.j - event.i], said[1:])
-    return any(low in _REAR and then != "into" for low, then in own)
+    return any(low in {"rear", "back"} and then != "into" for low, then in own)
 
 
 def _rear_ends(clause: Clause, context: Context) -> bool:
@@ -123,7 +122,6 @@ FACTS = {
 
 _BODY = frozenset({"side", "flank"})
 
-_NOBODY = frozenset({"nobody", "neither"})
 _ROADWARDS = frozenset({"turn", "sharp_turn", "pull_out"})
 """What is done into a road, so that "it" may be one."""
 
@@ -155,7 +153,7 @@ def _touched(goal: NounPhrase, clause: Clause, context: Context) -> bool:
         mass = mass and any("mass" in h.data for h in goal.heads)
         road = goal.pronoun == "it" and clause.event.name in _ROADWARDS
         free = not (mass or road or goal.possessor)
-        nobody = goal.negated or goal.pronoun in _NOBODY
+        nobody = goal.negated or goal.pronoun in {"nobody", "neither"}
         return free and (nobody or lies_there(goal, context) or bool(goal.entities))
     if not isinstance(goal, Place) or goal.kind not in _BODY:
         return False

@@ -106,6 +106,7 @@ def share_at(tokens: list[Token], i: int) -> Number | None:
     if count is None or part is None:
         return None
     after = [t.low for t in tokens[i + length : i + length + _WIDTH_REACH]]
-    wide = low_at(tokens, i - 1) in {"overlap", "overlapping"} or after[:1] == ["overlap"]
+    around = [*tokens[max(0, i - 3) : i], *tokens[i + length : i + length + 3]]
+    wide = any(t.base == "overlap" for t in around)  # "an overlap of one half", "half overlapped"
     wide = wide or (after[:1] == ["of"] and not word_list("widths").isdisjoint(after))
     return Number(100 * count / part, length) if wide else None

@@ -51,7 +51,6 @@ def _bare(terms: list[Term], k: int, also: set[str]) -> bool:
     return joined and all(t.cat in _AFTER | also for t in after)
 
 
-_LINE = frozenset({"ahead", "behind"})
 _NEXT_BUT_ONE, _MOST, _RANKED = 2, 5, 3
 _ENDS = {"front": "first", "ahead": "first", "rear": "last", "behind": "last"}
 
@@ -64,7 +63,7 @@ def count_places(terms: list[Term], tokens: list[Token]) -> list[Term]:
             end = _ENDS[term.value]
             found.append(replace(term, cat="label", value=end, data={"in_file": True}))
             continue
-        line = term.cat == "locus" and term.value in _LINE
+        line = term.cat == "locus" and term.value in {"ahead", "behind"}
         before = term_at(terms, k - 1)
         if line and k and (places := _places(terms, k, tokens)) > 1:
             counted = before if before.cat in {"num", "quantity"} else None

@@ -15,7 +15,6 @@ OPENS = ATOMS | {"a", "half", "between"}
 """Words with which a quantity may begin."""
 _RANGE_WORDS = frozenset({"to", "and", "or"})
 _ABOVE = frozenset({"over", "above", "exceeding", "beyond"})
-_BELOW = frozenset({"under", "below"})
 _FEWER = frozenset({"less", "fewer", "slower", "lower", "shorter", "closer", "nearer", "smaller"})
 _LONGEST_UNIT = 4
 _TEN = 10
@@ -201,7 +200,7 @@ def _build(tokens: list[Token], i: int, j: int, values: list[float], dimension: 
     elif (last in _ABOVE and not _goes_over(tokens, i)) or (than and before not in _FEWER):
         note = f"'{last}' is read as up to 20 % more"
         value = Interval(low=low, high=high * (1 + 2 * _SPREAD))
-    elif last in _BELOW or than:
+    elif last in {"under", "below"} or than:
         note = f"'{last}' is read as up to 20 % less"
         value = Interval(low=low * (1 - 2 * _SPREAD), high=high)
     elif last in word_list("about"):
