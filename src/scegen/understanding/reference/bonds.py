@@ -104,6 +104,8 @@ def bonds_of(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> B
         for prep in mention.pps:
             if prep.who is not None and prep.word.cat == "locus":
                 found.unlike[id(prep.who)].append(mention)  # "a bus behind it"
+                if prep.fronted:
+                    found.unlike[id(mention)].append(prep.who)  # "ahead of us the car stops"
             elif prep.place and (whose := prep.place.beside or prep.place.owner) is not None:
                 found.unlike[id(whose)].append(mention)  # "two vans on either side of it"
         _stands_along(mention, [p for p in mention.pps if p.predicate], found)

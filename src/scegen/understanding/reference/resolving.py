@@ -78,9 +78,10 @@ def _parked(mention: Mention, event: Event) -> None:
 
 
 def _named_later(pronoun: Mention, chunks: list[Chunk]) -> bool:
-    """``before it turns right, the ego …``: the main clause names whom "it" means."""
+    """``before it turns right, the ego …``, ``when the van behind it brakes, the ego …``."""
     opened = False
-    if any(isinstance(c, Mention) and c.entities for c in chunks):
+    named = [c for c in chunks if isinstance(c, Mention) and c.entities]
+    if not all(any(p.target is pronoun for p in mention.pps) for mention in named):
         return False
     for chunk in chunks:
         if isinstance(chunk, Term) and chunk.i < pronoun.i:
