@@ -180,6 +180,8 @@ def _after_comma(event: Event, state: State) -> None:
         beside = let_do(state) or on_foot(event, state) or told_beside(state, "with", "by")
     if (named := _past_an_aside(event, state)) is not None:
         event.subject = [named]
+    elif event.form == "s" and state.dependent and "aux:be" in state.between and state.events:
+        event.subject = main_in_sentence(state)  # "brakes when the ego is 20 m away, swerves"
     elif who is not None and state.anchor in (who, *(p.target for p in who.pps)):
         event.subject = _last_of(who, event, state)  # "when a van, turning left, fails to yield"
     elif beside is not None:
