@@ -187,7 +187,8 @@ def _to_standstill(doing: Doing, text: Telling, upto: int | None = None) -> None
     if doing.kind is not ActKind.BRAKE:
         return
     end = text.bounds(doing.i)[1] if upto is None else upto
-    later = [s.event.i for s in text.within(doing.i + 1, end) if s.event.name not in _RESTING]
+    within, own = text.within(doing.i + 1, end), [doing.entity]
+    later = [s.event.i for s in within if s.event.name not in _RESTING or s.actors not in ([], own)]
     span = text.find("standstill", doing.i, min([end, *later]))
     if span is not None:
         doing.amounts["target_speed_mps"] = Amount(STILL, Basis(*span))

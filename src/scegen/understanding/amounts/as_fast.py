@@ -5,7 +5,7 @@ from __future__ import annotations
 from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
 from scegen.scenario.spacings import Measure
-from scegen.scenario.vocabulary import Approach, HazardKind
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.amounts.telling import CHANGING, Telling
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import STILL, Amount, Doing
@@ -105,11 +105,18 @@ def _in_one_lane(text: Telling) -> None:
 
 
 def kept_apart(text: Telling) -> None:
-    """``3 s behind the lead at 120 km/h; the lead brakes``: until then one is as fast."""
+    """``3 s behind the lead at 120 km/h; the lead brakes``: until then one is as fast.
+
+    So it is where a headway, or a distance that is kept, is told of from the start.
+    """
+    slow = text.draft.causing(HazardKind.SLOW_DRIVING)
     for apart in text.found.spacings:
-        if apart.measure not in {Measure.GAP_M, Measure.HEADWAY_S}:
-            continue
-        if not isinstance(apart.at, Doing) or apart.at.kind not in {ActKind.BRAKE, ActKind.STOP}:
-            continue
         pair = [e for e in (apart.entity, apart.reference) if isinstance(e, Entity)]
-        _share(pair, apart.amount.basis, "until it brakes, the distance is kept")
+        sentence = text.bounds(apart.amount.basis.i or 0)
+        told = text.find("keeping_apart", *sentence) is not None
+        kept = told or apart.measure is Measure.HEADWAY_S
+        kept = kept and not any(e in slow or e.maneuvers - {Maneuver.STRAIGHT} for e in pair)
+        if isinstance(apart.at, Doing):
+            kept = apart.at.kind in {ActKind.BRAKE, ActKind.STOP}
+        if apart.measure in {Measure.GAP_M, Measure.HEADWAY_S} and kept:
+            _share(pair, apart.amount.basis, "as long as the distance is kept")

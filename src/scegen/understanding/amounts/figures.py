@@ -132,11 +132,14 @@ class Figure(Clause):
         opened = [c for c in self.text.subs if start <= c.i <= i]
         if not opened:
             return None
-        begin, tokens = opened[-1].i, self.text.tokens
-        if sum(t.low == "," for t in tokens[begin:i]) % 2:
-            return None  # "when the ego, at 40 km/h, is 20 m away"
-        ends = (k for k in range(i, stop) if tokens[k].low == ",")
-        return begin, next(ends, stop), self.text.low(begin, opened[-1].j).strip()
+        begin = opened[-1].i
+        commas = [k for k in range(begin, stop) if self.text.tokens[k].low == ","]
+        before = sum(k < i for k in commas)
+        aside = before % 2  # "when the ego, at 40 km/h, is 20 m away": it sets nothing off
+        if aside and self.text.within(begin, commas[before - 1]):
+            return None  # "when it sets off, the ego is 25 m behind it"
+        words = "" if aside else self.text.low(begin, opened[-1].j).strip()
+        return begin, next(iter(commas[before + aside :]), stop), words
 
     def phrase_around(self, i: int) -> Mention | Thing | None:
         """``a 12 m bus``: somebody or something in whose phrase a token stands."""

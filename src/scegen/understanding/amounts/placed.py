@@ -212,8 +212,11 @@ def _until_it_brakes(text: Telling, one: Entity, other: Entity, acts: list[Doing
     if unequal or any(e.still or not e.is_vehicle for e in (one, other)):
         return START
     leader = text.in_file(one, other)[1]
-    later = next((a for a in acts if a.kind in _ANSWERING and a.always), None)
-    return later if later is not None and later.entity is leader else START
+    told = [a for a in acts if a.kind in _ANSWERING and a.always]
+    own = [a for a in told if a.entity is leader]
+    # "brakes as the car ahead stops"
+    first = own and (told[0] is own[0] or text.find("while_begun", told[0].i, own[0].i))
+    return own[0] if first else START
 
 
 def _opens_with(figure: Figure, acts: list[Doing]) -> list[Doing]:

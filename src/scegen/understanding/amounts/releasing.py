@@ -44,9 +44,9 @@ def sets_off(figure: Figure) -> bool:
         return False
     # whose distance sets it off: who is named in that clause, else who acts
     subject = next(iter(figure.last_named(when[0]) if when else []), doing.entity)
-    acts = figure.text.acts(when[0], figure.i) if when is not None else []
-    if any(a.entity is subject for a in acts):
-        return False  # "when the truck moves over 30 m in front of it"
+    acts = figure.text.acts(*when[:2]) if when is not None else []
+    if any(a.entity is subject and (a.i < figure.i or a is not doing) for a in acts):
+        return False  # "when the truck moves over 30 m in front of it", "when one 20 m ahead stops"
     if line is None or not (line.kind in JUNCTION or figure.text.context.junction.crossing):
         return _comes_down(figure, doing, subject, line)
     subject = subject if opened else figure.said_of or subject
@@ -245,7 +245,7 @@ def _clauses(text: Telling) -> None:
         first = inside[0]
         over = any(c.event.perfect for c in text.within(chunk.j, end))
         over = over or any(r.i in first.told for r in first.entity.rests)  # "when it has stopped"
-        begun = (because or opening in word_list("while_begun")) and not over
+        begun = opening in word_list("while_begun") and not over
         steps = first.kind is ActKind.CROSS and endless(first, text)
         since: Since = "begin" if steps or begun else "end"
         basis = Basis(chunk.i, chunk.j)

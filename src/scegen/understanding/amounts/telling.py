@@ -117,9 +117,7 @@ class Telling:
     def counterpart(self, entity: Entity, near: list[Entity]) -> Entity | None:
         """The other of two: for everybody the ego; for the ego who is ahead, or the only other.
 
-        Args:
-            entity: one of them.
-            near: who is spoken of around, the nearest last.
+        ``near``: who is spoken of around, the nearest last.
         """
         if entity is not self.ego:
             return self.ego

@@ -199,12 +199,7 @@ def lanes_of_road(
 ) -> tuple[tuple[int, ...], int | None, Basis | None]:
     """Lanes per arm and direction, those of a ring, and why; none: as many as it takes.
 
-    Args:
-        draft: participants and what they do, positions settled.
-        around: what the text says about lanes.
-        along: what it says about the road along its length.
-        kind: the shape of the road.
-        arms: how many arms it has.
+    The positions of the draft are settled by then.
 
     Raises:
         InfeasibleError: it names a lane beyond those that are built.

@@ -154,12 +154,9 @@ class Proofs:
         return self._tokens[i].start, self._tokens[j - 1].end
 
     def add(self, name: str, basis: Basis | None, default: str | None = None) -> None:
-        """Adds the evidence of one field.
+        """Adds the evidence of one field: its words or the reason for it.
 
-        Args:
-            name: the field.
-            basis: its words or the reason for it; None if the text does not say.
-            default: why it has its value if the text does not say.
+        ``default``: why it has its value if the text does not say.
         """
         told = {"field": name, "source": EvidenceSource.DEFAULT, **_NOT_SAID}
         if basis is None:

@@ -61,7 +61,9 @@ def coordinate(event: Event, state: State) -> None:
     if relative and ("," in state.between or no_jam(event, verbs[-1].subject, state)):
         verbs = outer or verbs
     alike = [e for e in verbs if _shape(e) == wanted]
-    exact = [e for e in alike if wanted == "finite" and _as_finite(e, event) and not e.perfect]
+    done = "aux:do" in state.between  # "you are driving and a van pulls out and does not stop"
+    told = [e for e in alike if wanted == "finite" and (done or _as_finite(e, event))]
+    exact = [e for e in told if not e.perfect]
     parallel = next(reversed(exact or alike), None)
     if parallel is None:  # "we approach a bus, which is standing, and pass it"
         finite = [e for e in verbs if e.finite]

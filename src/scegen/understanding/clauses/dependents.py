@@ -180,6 +180,8 @@ def gerund(event: Event, state: State) -> None:
     if who is not None and parent.j <= who.i and state.anchor is not parent and prep in _OPENING:
         event.subject = chain(who)  # "a man crosses while the ego is in the middle of turning"
         return
+    if parent.supplement and "," in state.between:  # "passes a van, which waits, without braking"
+        parent = next((e for e in reversed(state.events) if not e.embedded), parent)
     depend(event, parent, "ing")
     if prep == "from" and isinstance(parent.object, Mention):
         event.subject = chain(parent.object)

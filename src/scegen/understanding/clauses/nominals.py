@@ -190,8 +190,9 @@ def _prepositional(mention: Mention, prep: Prep, state: State) -> None:
         state.last_pp = mention  # "behind a van on the right a man …": the van is there
         return
     undergone = any(e.passive for e in state.events[-2:-1])  # "is forced into a stop by a van"
-    doer = prep.value == "by" and state.anchor is last and not (undergone or state.between)
-    done_by = {"by", "of", "for"} if last and last.name in _TURNS else {"by", "of"}
+    agents = {"by", "from"} if last and last.name == "react" else {"by"}  # "no reaction from us"
+    doer = prep.value in agents and state.anchor is last and not (undergone or state.between)
+    done_by = {"by", "of", "for"} if last and last.name in _TURNS else {"of", *agents}
     gerund = last and doer and last.form == "ing" and state.verb_follows  # "swerving by a van"
     if last and (last.nominal or gerund) and prep.value in done_by and (doer or not last.subject):
         last.subject = [] if owns and last.pps else [mention]  # "a turn across the path of a van"
@@ -230,7 +231,8 @@ def read_noun(noun: NounPhrase, state: State) -> None:
     whole, behind = _whole(noun, state)
     if state.prep is None and opens and finite_follows(state.chunks, state.k + behind):
         of_one = whole is not noun or (isinstance(noun, Place | Thing) and noun.kind in _PARTS)
-        part = of_one and whole.owner is not None
+        of_whom = state.at(1).value == "of" and isinstance(state.at(2), Mention)
+        part = of_one and (whole.owner is not None or of_whom)
         first = state.candidate is None and not (state.events and "," in state.between)
         state.topic = noun if first or part or "sub" in state.between else None
     if (prep := state.prep) is not None:

@@ -24,6 +24,7 @@ from scegen.understanding.phrases.lookahead import main_verb_follows
 
 _PASSING = frozenset({"overtake", "bypass", "pass"})
 _OF_PARTS = frozenset({"collide", "appear", "approach", "lose_control", "swerve"})  # and of wholes
+_NAMED = frozenset({"", "between", "of", "with"})
 _SHOWN = frozenset({"encounter", "cause", "prevent"})
 """Verbs that say what their object is doing."""
 
@@ -193,8 +194,8 @@ def _after_comma(event: Event, state: State) -> None:
         event.subject = main_in_sentence(state)
         if not event.finite:  # what hangs on an obliged verb is no less obliged
             event.modal = event.modal or state.last.modal
-    elif isinstance(state.anchor, Mention) and state.anchor.prep is None and not event.finite:
-        event.subject = chain(state.anchor)  # "there is a van, turning left"
+    elif isinstance(noun := state.anchor, Mention) and noun.opening in _NAMED and not event.finite:
+        event.subject = chain(noun)  # "there is a van, turning left", "a crash of a van, doing …"
     else:
         state.pending.append(event)
 
@@ -259,6 +260,8 @@ def _after_mention(event: Event, anchor: Mention, state: State) -> None:
         return
     event.finite = event.finite and (event.form != "ed" or anchor is state.candidate)
     last, known = state.last, told(anchor)
+    # "with the van ahead of the ego braking": but "the car behind the ego turning left stops"
+    known = known or (anchor.is_ego and state.waiting is not None and not state.verb_follows)
     done_to = last if last is not None and last.object is anchor else None
     if done_to is not None and done_to.name in {"cause", "prevent"}:
         depend(event, done_to, "ing")

@@ -35,12 +35,7 @@ class Window:
     resumes: int
 
     def fits(self, frame: AmountFrame, verbs: frozenset[str]) -> bool:
-        """Whether all that a frame asks for is there.
-
-        Args:
-            frame: a row.
-            verbs: what happens in the clause of the number, in the names of the frames.
-        """
+        """Whether all that a frame asks for is there; ``verbs``: what happens there."""
         if frame.verb and not verbs & frame.verb:
             return False
         around = self.before, self.after
@@ -83,13 +78,9 @@ class Window:
 
 
 def window(tokens: list[Token], i: int, j: int, ends: dict[int, int]) -> Window:
-    """The words around the tokens ``i`` to ``j - 1``.
+    """The words around the tokens ``i`` to ``j - 1``, a number with its unit.
 
-    Args:
-        tokens: the tokens of the text.
-        i: index of the first token of a number with its unit.
-        j: index after the last one.
-        ends: where each number of the text begins, by where it ends.
+    ``ends``: where each number of the text begins, by where it ends.
     """
     bracketed = i > 0 and tokens[i - 1].low == "(" and i - 1 in ends
     if bracketed and j < len(tokens) and tokens[j].low == ")":
@@ -197,13 +188,9 @@ def _after(tokens: list[Token], j: int) -> str:
 
 
 def frame_of(dimension: str, value: float, around: Window, verbs: frozenset[str]) -> AmountFrame:
-    """The first frame that fits a number.
+    """The first frame that fits a number in SI units.
 
-    Args:
-        dimension: what the number measures.
-        value: how much it is, in SI units.
-        around: the words around it.
-        verbs: what happens in its clause, in the names of the frames; empty if nothing does.
+    ``verbs``: what happens in its clause, in the names of the frames; empty if nothing does.
     """
     words = {*around.before.split(), *around.after.split()}
     for frame in amounts(dimension):
@@ -214,13 +201,7 @@ def frame_of(dimension: str, value: float, around: Window, verbs: frozenset[str]
 
 
 class Numbers:
-    """The numbers of a text.
-
-    Args:
-        terms: its terms.
-        tokens: its tokens.
-        of_the_road: numbers that are said of the road (a speed limit).
-    """
+    """The numbers of a text; ``of_the_road``: those that are said of the road (a limit)."""
 
     def __init__(
         self, terms: list[Term], tokens: list[Token], of_the_road: Collection[Term]
@@ -239,13 +220,7 @@ class Numbers:
     def measured(
         self, quantity: Quantity, verb: str = "", at: int | None = None
     ) -> tuple[Window, AmountFrame]:
-        """The words around a number, and what they make of it.
-
-        Args:
-            quantity: the number.
-            verb: what happens in its clause; empty if nothing does.
-            at: the word for it, unless it is told as over ("has covered").
-        """
+        """What a number is by its words and its verb, ``at`` a token unless it is over."""
         lemma = [f"to {self._tokens[at].forms[-1][0]}"] if at is not None else []
         around = self._around.get(quantity.i)
         if around is None:

@@ -73,7 +73,7 @@ def interpret(chunks: list[Chunk], events: list[Event], context: Context) -> lis
     of_verbs |= {id(p) for c in chunks if isinstance(c, Mention) for p in _then(c, events, context)}
     context.told_in_the_past = any(  # "is hit" tells of now, "was driving" of then
         (e.finite and e.form == "ed" and e.name != "stop" and not e.passive)
-        or (e.form == "ing" and context.tokens[e.i - 1].low in word_list("was"))
+        or (e.form in {"ing", "base"} and word_list("was") & {*context.lows(e.i - 3, e.i)})
         for e in events
     )
     told = [clause_of(e) for e in events]
@@ -231,7 +231,7 @@ def _is_of_the_verb(prep: Prep, event: Event, kerb: str) -> bool:
     if met and _from_behind(prep):  # "runs into the van from behind"
         return True
     beside = event.name in _BESIDE and prep.names("side", "shoulder") and not _met_there(prep)
-    beside = beside and not _stands_there(prep, event, kerb)
+    beside = beside and prep.value != "from" and not _stands_there(prep, event, kerb)
     of_verb = beside or _starts(event, prep) or own_lane(event, prep)
     return who is event.object and of_verb
 
@@ -262,13 +262,16 @@ def _from_behind(prep: Prep) -> bool:
 def _starts(event: Event, prep: Prep) -> bool:
     """``overtakes the bus from the left`` says where the one who moves comes from.
 
-    So does "crosses the path of the bus from the left".
+    So does "crosses the path of the bus from the left"; the ego hits "a car from the left".
     Verbs without a way of their own leave the phrase to the noun ("yields to a bus from …").
     """
     named = prep.on_mention
     target = named is not None and named not in event.subject
     goal = event.object.owner if isinstance(event.object, Place) else event.object
     moved = event.name in word_list("underway") and (goal is None or named in (goal, event.object))
-    moved = moved and event.lemma != "meet"
+    sided = prep.place is not None and bool({"left", "right"} & {*prep.place.dirs})
+    new = event.name == "collide" and named is not None and not named.has("det", "def")
+    its = sided and new and all(e.ego for e in event.doers)
+    moved = moved and event.lemma != "meet" and not its
     source = prep.value == "from" or (prep.outer == "from" and prep.target is None)
     return source and not (target and not moved)

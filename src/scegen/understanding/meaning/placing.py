@@ -31,8 +31,8 @@ def adjectives(mention: Mention, context: Context) -> None:
     pair = mention.entities if mention.plural and named == ["opposing"] else []  # to each other
     beside = sides | {Approach.ADJACENT} if term and "beside" in term.data else set()
     for entity in mention.entities:
-        kerb = entity.kind in _FROM_THE_KERB and not turning
-        seen = approaches or (sides if kerb and not beside else beside)
+        comes = entity.kind in _FROM_THE_KERB or context.junction.crossing  # "the right-hand car"
+        seen = approaches or (sides if comes and not (turning or beside) else beside)
         if seen and term is not None:
             context.draft.place(entity, next(iter(pair), None), set(seen), Basis(term.i, term.j))
     for mod in mention.mods:

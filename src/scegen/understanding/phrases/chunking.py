@@ -9,6 +9,7 @@ from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.naming import name_further, name_noun, numbered
 from scegen.understanding.phrases.nominal import (
+    ENDS,
     OPENERS,
     WAYS,
     compound_end,
@@ -230,6 +231,8 @@ class Chunker:
             length += 1
         owner = self._owner()
         placed = governed(self._chunks) or mods[0].cat in {"det", "possessive"}
+        of = self._term(k + length).value == "of"
+        placed = placed or (of and mods[0].value in ENDS)  # "front of ego hits rear of van"
         if not seen or not (placed or owner is not None):
             return None
         used = mods[:length]

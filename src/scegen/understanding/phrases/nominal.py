@@ -12,7 +12,7 @@ _SIDE_ONLY = 2
 _NAMED_BY_SIDE = frozenset({"turn", "u_turn", "lane_change", "sharp_turn", "merge", "leave"})
 """Actions that a side tells apart: "the left turn"."""
 _OWNED = frozenset({"lane", "path", "side"})
-_ENDS = frozenset({"front", "rear"})
+ENDS = frozenset({"front", "rear"})
 VERBAL_LINKS = frozenset({"prep", "locus"})
 
 
@@ -73,7 +73,7 @@ def compound_end(head: Term, following: Term, chunks: list[Chunk]) -> Term:
 
 def ego_owns(heads: list[Term], following: Term) -> bool:
     """``the ego lane``, ``the VUT front strikes the GVT rear``: what follows is theirs."""
-    if (following.cat, following.form) == ("dir", "base") and following.value in _ENDS:
+    if (following.cat, following.form) == ("dir", "base") and following.value in ENDS:
         return heads[-1].form != "s"
     own = any(h.data.get("ego") for h in heads)
     return own and following.cat == "place" and following.value in _OWNED

@@ -113,6 +113,8 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
         "besides": told and is_pronoun(whom),
     }
     mention.marks |= {mark for mark, so in marks.items() if so}
+    if isinstance(whom, Mention) and whom.i < mention.i and is_pronoun(mention):
+        whom.marks.add("besides")  # "the car it follows"
     if event.lemma in word_list("pedalling") and mention.heads:
         mention.goes_by = ParticipantKind.BICYCLE  # "the claimant was cycling"
     elif event.lemma in word_list("stepping") and any("driver" in h.data for h in mention.heads):

@@ -71,7 +71,8 @@ def resolve(
     if refers_to_nobody(mention) or _their_own_queue(roster, mention):
         return []
     located = any(p.word.cat == "locus" and is_pronoun(p.target) for p in mention.pps)
-    about = roster.subject if len(roster.subject) == 1 or not roster.draft.ego else []
+    about = roster.subject or roster.recent[-1:]
+    about = about if len(about) == 1 or not roster.draft.ego else []
     if (located and not is_it(mention)) or "besides" in mention.marks:
         exclude = [*exclude, *about]  # "the car behind it" is not "it"
     if two := _of_two(roster, mention, exclude):

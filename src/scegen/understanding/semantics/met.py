@@ -151,7 +151,8 @@ def _touched(goal: NounPhrase, clause: Clause, context: Context) -> bool:
     if isinstance(goal, Mention):
         mass = clause.event.lemma not in word_list("ramming")  # "pulls out into the traffic"
         mass = mass and any("mass" in h.data for h in goal.heads)
-        road = goal.pronoun == "it" and clause.event.name in _ROADWARDS
+        changes = clause.event.lemma in word_list("changing")  # "changes into it": that lane
+        road = goal.pronoun == "it" and (changes or clause.event.name in _ROADWARDS)
         free = not (mass or road or goal.possessor)
         nobody = goal.negated or goal.pronoun in {"nobody", "neither"}
         return free and (nobody or lies_there(goal, context) or bool(goal.entities))

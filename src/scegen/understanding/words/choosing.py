@@ -24,7 +24,8 @@ def _attributive(match: Match, tokens: list[Token], previous: Term) -> bool:
     opens = longest_match(tokens, match.j, match.j + 1)
     if opens is not None and opens.has("possessive", "det"):
         return False  # "struck my vehicle"
-    measured = following is not None and _with_a_number(match, following, tokens)
+    apart = previous.cat not in _VERBAL_BEFORE  # "ego following car, 2 s"
+    measured = following is not None and apart and _with_a_number(match, following, tokens)
     # "the van cuts out, stopped car ahead": nobody stops a car
     rests = previous.value == "," and match.form == "ed" and match.get("verb").value in _RESTS
     if not ((measured or rests or _may_describe(previous)) and noun_follows(tokens, match.j)):

@@ -90,7 +90,7 @@ def quantity_at(tokens: list[Token], i: int) -> Quantity | None:
     unit = _unit_at(tokens, j)
     if unit is not None:
         dimension, name, length = unit
-        more = [t.low for t in tokens[j + length : j + length + 3]] == ["and", "a", "half"]
+        more = _and_a_half(tokens, j + length)
         values = [_si(first.value + (0.5 if more else 0.0), dimension, name)]
         end = j + length + (3 if more else 0)  # "a metre and a half"
         spread = _tolerance(tokens, end, dimension, name, first.value)
@@ -131,11 +131,15 @@ def _fraction(tokens: list[Token], i: int) -> Number | None:
     unit = _unit_at(tokens, i + 1) if lows[0] == "a" and len(lows) > 1 else None
     named = unit is not None and unit[0] == "length" and len(lows[1]) > 2
     timed = not word_list("order").isdisjoint(lows[2:3]) or low_at(tokens, i - 1) == "within"
-    named = named or (lows[1:2] == ["second"] and timed)
+    named = named or (lows[1:2] == ["second"] and (timed or _and_a_half(tokens, i + 2)))
     before = low_at(tokens, i - 1)
     if before in {"into", "in", "from"} or (before == "of" and low_at(tokens, i - 2) == "out"):
         return None  # "out of a yard"
     return Number(1.0, 1) if named else None  # "a second" may be another one
+
+
+def _and_a_half(tokens: list[Token], j: int) -> bool:
+    return [t.low for t in tokens[j : j + 3]] == ["and", "a", "half"]
 
 
 def _tolerance_mark(tokens: list[Token], j: int) -> int | None:

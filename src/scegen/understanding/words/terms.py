@@ -122,13 +122,7 @@ def longest_match(tokens: list[Token], i: int, end: int | None = None) -> Match 
 
     Two readings of equal length ("left": a side, or the past of "leave") are merged.
 
-    Args:
-        tokens: the tokens of the text.
-        i: index of the first token.
-        end: index after the last token that it may take; None for all.
-
-    Returns:
-        The phrase, or None where none begins, as behind the last token.
+    It takes no token from ``end`` on. None where no phrase begins, as behind the last token.
     """
     last = len(tokens) if end is None else min(end, len(tokens))
     if i >= last:
