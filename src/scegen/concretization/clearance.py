@@ -116,13 +116,10 @@ def _along(
             mine, its = one_m + s, other_m + s
             later = a.times_at(mine + body.rear_m) - b.times_at(its - other_body.front_m)
             earlier = b.times_at(its + other_body.rear_m) - a.times_at(mine - body.front_m)
-            found.append(Line(mine, its, _most_from(later), _most_from(earlier)))
+            # The greatest from each on.
+            late, early = (np.maximum.accumulate(v[::-1])[::-1] for v in (later, earlier))
+            found.append(Line(mine, its, late, early))
     return tuple(found)
-
-
-def _most_from(values: Array) -> Array:
-    """The greatest from each on."""
-    return np.asarray(np.maximum.accumulate(values[::-1])[::-1])
 
 
 @remembered

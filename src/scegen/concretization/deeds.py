@@ -169,7 +169,11 @@ def _then_s(
     if isinstance(when, AfterAct) and when.act in own:
         if stands and act.kind in SLOWING:
             return STEP_S  # it stands already
-        then = max(_delay_s(scene, draft, when, took_s), 0.0) or HOLDS_S
+        delay_s = when.later_s.middle
+        if goes_on_when_free(when):  # when walkers are over
+            walkers = stops_for_walkers(scene, draft)
+            delay_s = 0.0 if walkers is None else walkers[1] - took_s + _AFTER_WALKER_S
+        then = max(delay_s, 0.0) or HOLDS_S
         return max(0.0, then - took_s) if when.since == "begin" else then
     return HOLDS_S if own and when is None else None
 
@@ -187,14 +191,6 @@ def _turning_mps(scene: Setup, draft: DriveDraft) -> float:
 
 def _stops_at_light(scene: Setup, draft: DriveDraft) -> bool:
     return scene.functional.participant(draft.id).light is AtLight.STOPS
-
-
-def _delay_s(scene: Setup, draft: DriveDraft, when: AfterAct, took_s: float) -> float:
-    """How long one stands; who goes on when nobody is in its way does so when walkers are over."""
-    if not goes_on_when_free(when):
-        return when.later_s.middle
-    walkers = stops_for_walkers(scene, draft)
-    return 0.0 if walkers is None else walkers[1] - took_s + _AFTER_WALKER_S
 
 
 def is_open(scene: Setup, mark: SpeedChange) -> bool:

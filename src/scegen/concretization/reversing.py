@@ -183,18 +183,24 @@ def back_straight_out(scene: Setup, draft: DriveDraft, other: DriveDraft) -> Mee
     stand_square(scene, draft)
     (depth_m, place_m, left), body = _passage(draft, other), draft.body
     half_m = other.body.width_m / 2
-    speed, stop = reversing_mps(scene, draft), _stop(scene, draft)
+    speed, stop = reversing_mps(scene, draft), SpeedChange(0.0, draft.braking_mps2(_STOPS_MPS2))
+    said = next((act for act in scene.speed_acts(draft.id) if act.kind in SLOWING), None)
+    if said is not None:
+        stop = replace(change_of_speed(scene, said, body, speed, speed), target_mps=0.0)
     braking_m, stops_s = speed**2 / (2 * stop.rate_mps2), speed / stop.rate_mps2
     wanted = scene.contact_wanted(draft.id, other.id)
     short = not wanted and (draft is scene.ego or stop.act is not None)
     nearest_m = depth_m - half_m - body.rear_m
     across_m = depth_m + half_m + _ACROSS_M - body.rear_m
     comes_m = place_m - body.width_m / 2 / abs(left) - other.body.front_m
-    lag_s = 0.0
+    outcome, lag_s = scene.functional.outcome, 0.0
+    # Its rear touches the other's side, or else the other's front touches its own.
+    aside = outcome is not None and outcome.struck in {BodySide.LEFT, BodySide.RIGHT}
+    strikes = aside != (draft is scene.ego)
     if short:
         event_m, lag_s = nearest_m - _SHORT_M - braking_m, stops_s + _STOOD_S
         rests_m = event_m + braking_m
-    elif wanted and _strikes(scene, draft):
+    elif wanted and strikes:
         share = scene.impact_share if draft is scene.ego else 0.5
         comes_m = place_m + (0.5 - share) * body.width_m / left
         comes_m -= other.body.centre_ahead_m
@@ -225,22 +231,6 @@ def _passage(draft: DriveDraft, other: DriveDraft) -> tuple[float, float, float]
     if line_s > begins_s - draft.body.rear_m or abs(sin(turn)) < _LEAST_ACROSS:
         raise MotionInfeasibleError(f"{other.id} does not come past behind it", where=draft.id)
     return begins_s - line_s, place_m, sin(turn)
-
-
-def _stop(scene: Setup, draft: DriveDraft) -> SpeedChange:
-    """How it comes to rest: by the act that is said, or as usual."""
-    said = next((act for act in scene.speed_acts(draft.id) if act.kind in SLOWING), None)
-    if said is None:
-        return SpeedChange(0.0, draft.braking_mps2(_STOPS_MPS2))
-    speed = reversing_mps(scene, draft)
-    return replace(change_of_speed(scene, said, draft.body, speed, speed), target_mps=0.0)
-
-
-def _strikes(scene: Setup, draft: DriveDraft) -> bool:
-    """Whether its rear touches the other's side; else the other's front touches its own."""
-    struck = scene.functional.outcome.struck if scene.functional.outcome is not None else None
-    sides = {BodySide.LEFT, BodySide.RIGHT}
-    return struck not in sides if draft is scene.ego else struck in sides
 
 
 def _struck_m(

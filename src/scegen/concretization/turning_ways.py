@@ -208,8 +208,11 @@ def _late_turns(
     angles = arm_angles_deg(functional.junction)
     turning = [drive for drive in logical.drives if drive.turn is across]
     late: dict[str, Drive] = {}
+    # Two are to meet if a danger is between them, or they are the ego and the only other.
+    many = len({each.id for each in (*functional.vehicles, *functional.crossers)}) != 2
     for first, second in combinations(turning, 2):
-        meant = first.entry != second.entry and _meant(functional, first, second)
+        at_all = at_odds(functional, first.participant, second.participant)
+        meant = first.entry != second.entry and at_all and (bool(functional.hazards) or not many)
         if meant and Approach.OPPOSITE in seen_from(angles, first.entry, second.entry):
             late |= {first.participant: first, second.participant: second}
     radii = {
@@ -225,10 +228,3 @@ def _late_turns(
         for way in lane_ways(road.arms, road.driving_side)
         if (way.entry, way.exit) in radii
     ]
-
-
-def _meant(functional: FunctionalScenario, first: Drive, second: Drive) -> bool:
-    """Whether these two are to meet: a danger between them, or the ego and nothing else said."""
-    others = {d.id for d in functional.vehicles} | {c.id for c in functional.crossers}
-    pair = first.participant, second.participant
-    return at_odds(functional, *pair) and (bool(functional.hazards) or len(others) == 2)

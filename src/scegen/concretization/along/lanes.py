@@ -18,7 +18,7 @@ from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import ActKind
 from scegen.scenario.hazards import FROM_BESIDE
 from scegen.scenario.in_line import words_between
-from scegen.scenario.logical import Assignment, InLine
+from scegen.scenario.logical import InLine
 from scegen.scenario.roadway import Carriageway
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
@@ -112,7 +112,10 @@ def _from_words(story: Story) -> Iterator[Wish]:
             if words_of >= _ANYWHERE and reference != beside:
                 words_of -= {Approach.ADJACENT}  # one of these: in line
             if Approach.ADJACENT in words_of:
-                step_out = _step_out(story, assignment, reference)
+                said = getattr(assignment, "beside_on", None)
+                if said is None or reference != beside:
+                    said = side_of(functional, name, reference)
+                step_out = None if said is None else outward(functional, said)
                 words = f"{name} is in the lane beside {reference}"
                 yield _beside(name, reference, SAID, step_out, words)
             strips = {functional.participant(n).strip for n in (name, reference)}
@@ -120,14 +123,6 @@ def _from_words(story: Story) -> Iterator[Wish]:
             same_way = runners[reference].forward == runner.forward
             if in_line and same_way and Approach.ADJACENT not in words_of:
                 yield _beside(name, reference, SAID, 0, f"{name} is in the lane of {reference}")
-
-
-def _step_out(story: Story, assignment: Assignment, reference: str) -> int | None:
-    """On which side somebody is beside another, as lanes farther out; None if either will do."""
-    said = getattr(assignment, "beside_on", None)
-    if said is None or getattr(assignment, "beside", None) != reference:
-        said = side_of(story.functional, assignment.participant, reference)
-    return None if said is None else outward(story.functional, said)
 
 
 def _lanes_aside(story: Story) -> dict[tuple[str, str], int]:

@@ -11,7 +11,6 @@ from dataclasses import replace
 from scegen.concretization.along.crossing import BEFORE_WALKER_M
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.story import Story
-from scegen.concretization.others import Walk
 from scegen.concretization.profile import NEVER_S
 from scegen.concretization.tale import outward
 from scegen.motion.doors import REACH_M, hinge_ahead_m
@@ -41,8 +40,12 @@ def park(story: Story) -> None:
     rows: dict[tuple[bool, str], list[Runner]] = {}
     for name, runner in story.parked.items():
         left = runner.on_left
-        walk = _hidden(story, runner, hiding)
-        before = opened.get(left) if name not in hiding else None
+        # Whom it hides: who sets off from its side; from anywhere if it is said to hide somebody.
+        hides = name in hiding
+        walks = [w for w in story.walks.values() if w.from_left == left]
+        walks += story.walks.values() if hides else ()
+        walk = walks[0] if walks and (hides or not hiding) else None
+        before = opened.get(left) if not hides else None
         before = before or (walk.id if walk is not None else "")
         rows.setdefault((left and bool(before), before), []).append(runner)
     for (_, name), row in rows.items():
@@ -93,14 +96,6 @@ def _ahead_m(story: Story, name: str) -> float | None:
     """How far ahead of the ego's front somebody is said to stand at first."""
     said = story.between(name, story.ego.id, Measure.GAP_M)
     return said.value.middle if said is not None and said.at == START else None
-
-
-def _hidden(story: Story, runner: Runner, hiding: set[str]) -> Walk | None:
-    """Whom one hides: who sets off from its side; from anywhere if it is said to hide somebody."""
-    hides = runner.id in hiding
-    same = [w for w in story.walks.values() if w.from_left == runner.on_left]
-    found = [*same, *(story.walks.values() if hides else ())]
-    return found[0] if found and (hides or not hiding) else None
 
 
 def opens(functional: FunctionalScenario) -> dict[str, Act]:
