@@ -266,7 +266,7 @@ def _starts(event: Event, prep: Prep) -> bool:
     Verbs without a way of their own leave the phrase to the noun ("yields to a bus from …").
     """
     named = prep.on_mention
-    target = named is not None and named not in event.subject
+    target = named is not None and named not in event.subject and bool(named.entities)
     goal = event.object.owner if isinstance(event.object, Place) else event.object
     moved = event.name in word_list("underway") and (goal is None or named in (goal, event.object))
     moved = moved and event.lemma != "meet"

@@ -117,7 +117,7 @@ class Chunker:
                 sided = bool(mods) and mods[-1].cat == "dir"  # "from the left also going on"
                 if self._is_adverb(term) and (sided or not opened):
                     break
-            elif not loose_modifier(self._terms, m, opened or any(t.cat == "state" for t in mods)):
+            elif not loose_modifier(self._terms, m, mods):
                 break
             mods.append(term)
             m += 1

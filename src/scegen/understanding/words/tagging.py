@@ -11,8 +11,8 @@ from scegen.understanding.words.contexts import retag
 from scegen.understanding.words.names import (
     name_letters,
     named_at,
+    of_no_known_kind,
     street_name,
-    who_drive,
     whose_doing,
     with_articles,
 )
@@ -124,7 +124,8 @@ def tag(tokens: list[Token]) -> list[Term]:
         terms.append(term)
         i = terms[-1].j
     crossed = _crossings(terms, tokens)
-    return whose_doing(who_drive(with_articles(name_letters(crossed, tokens), tokens), tokens))
+    named = with_articles(name_letters(crossed, tokens), tokens)
+    return whose_doing(of_no_known_kind(named, tokens))
 
 
 def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:
