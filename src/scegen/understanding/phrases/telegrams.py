@@ -214,12 +214,15 @@ def _named_doing(event: Event, chunks: list[Chunk], k: int) -> bool:
 def _going(chunks: list[Chunk], k: int) -> list[Chunk]:
     """``ego straight``, ``ego in reverse``: goes there, backwards; ``parked van left``: stands.
 
-    So does ``van from the left lane into ours``.
+    So do ``van from the left lane into ours``, ``van towards us``.
     """
     way, lane = chunks[k], next((c for c in chunks[k + 1 : k + 3] if isinstance(c, Place)), None)
-    if way.value == "into" and lane is not None and lane.kind == "lane":
+    if not isinstance(way, Term):
+        return []
+    into = way.value == "into" and lane is not None and lane.kind == "lane"
+    if into or "faces" in way.data:
         return [Event("move", way.i, way.i, "s"), way] if _clause_opener(chunks, k) else []
-    if not isinstance(way, Term) or (way.cat, way.value) not in _WAYS:
+    if (way.cat, way.value) not in _WAYS:
         return []
     following, who = chunk_at(chunks, k + 1), _clause_opener(chunks, k)
     free = ends(following) or value_at(chunks, k + 1) == "," or cat_at(chunks, k + 1) in _AFTER

@@ -114,8 +114,8 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
     mention.marks |= {mark for mark, so in marks.items() if so}
     if event.lemma in word_list("pedalling") and mention.heads:
         mention.goes_by = ParticipantKind.BICYCLE  # "the claimant was cycling"
-    elif event.lemma in word_list("stepping") and any("driver" in h.data for h in mention.heads):
-        on_foot = ParticipantKind.PEDESTRIAN  # "the insured walked": no driver
+    elif event.lemma in word_list("stepping") and all("driver" in h.data for h in mention.heads):
+        on_foot = ParticipantKind.PEDESTRIAN  # "the insured walked", "she steps out": no driver
         mention.goes_by = on_foot if _on_foot(event) else mention.goes_by
     if event.passive:
         return  # "the car is hit by a van from the right": the van comes from there
