@@ -178,8 +178,10 @@ def _people_in_traffic(chunks: list[Chunk], events: list[Event], tokens: list[To
         told = who.mod("det", "def") is not None and afoot  # "…; the ego hits the passenger"
         who.negated = who.negated or not (told or again)
     for who in [m for m in named if id(m) not in walking]:
-        alike = who.has("manner", "wrong_way") or _along(who)
-        who.marks |= {"drives"} if alike else set()
+        done = [e for e in events if who in e.subject]
+        sits = [p for e in done if e.lemma in word_list("at_the_wheel") for p in e.pps]
+        alike = who.has("manner", "wrong_way") or any(e.how("wrong_way") for e in done)
+        who.marks |= {"drives"} if alike or _along(who, sits) else set()
 
 
 def carried(noun: NounPhrase, chunks: list[Chunk], tokens: list[Token]) -> bool:
@@ -194,16 +196,16 @@ def carried(noun: NounPhrase, chunks: list[Chunk], tokens: list[Token]) -> bool:
     return laden or (on_board and not word_list("seats").isdisjoint(after))
 
 
-def _along(mention: Mention) -> bool:
+def _along(mention: Mention, sits: list[Prep]) -> bool:
     """Placed like a vehicle: behind, in front of, beside or across from the one who tells it."""
     head = mention.head
     if head is None:
         return False
     definite = mention.opened_by("def")
-    known = definite or "vague" in head.data or head.form == "s"
+    known = definite or "vague" in head.data or head.form == "s" or sits
     if definite and "opposite" in mention.dirs:
         return True  # "the bloke opposite"
-    for prep in mention.pps if known else []:
+    for prep in (*mention.pps, *sits) if known else ():
         place, by = prep.place, prep.who
         if prep.value == "from" and place is not None and "vague" in head.data:
             return place.kind in _OFF_THE_ROAD or not _SIDES.isdisjoint(place.dirs)
