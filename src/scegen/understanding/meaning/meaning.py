@@ -114,14 +114,16 @@ def _gone_to(prep: Prep, event: Event, context: Context) -> bool:
 
 
 def _then(who: Mention, events: list[Event], context: Context) -> list[Prep]:
-    """``cuts in when it is 10 m in front``: so it is then, and not before."""
-    there = [p for p in who.pps if p.predicate and p.value == "ahead"]
-    told = next((e for e in reversed(events) if e.i < who.i), None) if there else None
-    if told is None or told.name not in word_list("underway") | _INTO:
-        return []
+    """``cuts in when it is 10 m in front``, ``passes it; when level with it, …``: then, not before."""
+    there = [p for p in who.pps if p.predicate and p.value in {"ahead", "adjacent"}]
+    told = [e for e in events if e.i < who.i] if there else []
+    into = [e for e in told[-1:] if e.name in word_list("underway") | _INTO]
+    doers = {e for event in (*into, *told) if event in into or event.name in {*_PASSING, "pass"}
+             for e in event.doers}  # fmt: skip
     begins = range(max(0, who.i - _LONGEST), who.i)
-    when = any(" ".join(context.lows(k, who.i)) in word_list("triggers") for k in begins)
-    return there if when and {*who.entities} & {*told.doers} else []
+    words = word_list("triggers") | word_list("at_a_change")
+    when = any(" ".join(context.lows(k, who.i)) in words for k in begins)
+    return there if when and doers & {*who.entities} else []
 
 
 def _named(
