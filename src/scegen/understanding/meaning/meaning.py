@@ -114,15 +114,15 @@ def _gone_to(prep: Prep, event: Event, context: Context) -> bool:
 
 
 def _then(who: Mention, events: list[Event], context: Context) -> list[Prep]:
-    """``cuts in when it is 10 m in front``, ``passes it; when level with it, …``: then, not before."""
+    """``cuts in when it is 10 m in front``, ``passes; when level with it, …``: not before."""
     there = [p for p in who.pps if p.predicate and p.value in {"ahead", "adjacent"}]
     told = [e for e in events if e.i < who.i] if there else []
     into = [e for e in told[-1:] if e.name in word_list("underway") | _INTO]
     doers = {e for event in (*into, *told) if event in into or event.name in {*_PASSING, "pass"}
              for e in event.doers}  # fmt: skip
     begins = range(max(0, who.i - _LONGEST), who.i)
-    words = word_list("triggers") | word_list("at_a_change")
-    when = any(" ".join(context.lows(k, who.i)) in words for k in begins)
+    opened = {" ".join(context.lows(k, who.i)) for k in begins}
+    when = opened & (word_list("triggers") | word_list("at_a_change"))
     return there if when and doers & {*who.entities} else []
 
 

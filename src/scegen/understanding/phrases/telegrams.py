@@ -217,12 +217,10 @@ def _going(chunks: list[Chunk], k: int) -> list[Chunk]:
     So do ``van from the left lane into ours``, ``van towards us``.
     """
     way, lane = chunks[k], next((c for c in chunks[k + 1 : k + 3] if isinstance(c, Place)), None)
-    if not isinstance(way, Term):
-        return []
     into = way.value == "into" and lane is not None and lane.kind == "lane"
-    if into or "faces" in way.data:
+    if into or "faces" in getattr(way, "data", {}):
         return [Event("move", way.i, way.i, "s"), way] if _clause_opener(chunks, k) else []
-    if (way.cat, way.value) not in _WAYS:
+    if not isinstance(way, Term) or (way.cat, way.value) not in _WAYS:
         return []
     following, who = chunk_at(chunks, k + 1), _clause_opener(chunks, k)
     free = ends(following) or value_at(chunks, k + 1) == "," or cat_at(chunks, k + 1) in _AFTER

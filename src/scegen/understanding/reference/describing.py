@@ -119,8 +119,7 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
         mention.goes_by = on_foot if _on_foot(event) else mention.goes_by
     if event.passive:
         return  # "the car is hit by a van from the right": the van comes from there
-    froms = (p for p in event.pps if p.value == "from" and p.place is not None)
-    whence = [p for p in froms if p.place is not None and "rear" not in p.place.dirs]
+    whence = [p for p in event.pps if p.value == "from" and p.place and "rear" not in p.place.dirs]
     mention.sides |= _sides(whence)
     if whence:
         mention.marks |= {"elsewhere"} if mention.pronoun is None else set()
@@ -228,9 +227,8 @@ def _aside(chunks: list[Chunk], events: list[Event]) -> None:
                 noun.negated = True
         told = [p.target for p in event.pps if p.value == "to"]
         for mention in [*event.subject, event.object, *told] if "says" in event.data else []:
-            onlooks = isinstance(mention, Mention) and any(
-                "onlooker" in h.data for h in mention.heads
-            )
+            heads = mention.heads if isinstance(mention, Mention) else []
+            onlooks = any("onlooker" in h.data for h in heads)
             if isinstance(mention, Mention) and (onlooks or id(mention) in asked):
                 mention.negated = True
     referred = [m.i for m in named if is_pronoun(m)]

@@ -30,10 +30,9 @@ def of_pronoun(
         beside = [e for e in roster.still_near(near) if e not in exclude]
         told = beside if _word(roster, mention) == "it" else []
         return told or _single(roster, mention, exclude)
-    walks = mention.goes_by is not None
-    unnamed = which == "they" and (walks or "walks" not in mention.marks)
+    unnamed = which == "they" and (mention.goes_by or "walks" not in mention.marks)
     if unnamed and all(e.ego for e in roster.entities):
-        acts = ("drives" in mention.marks or walks) and _word(roster, mention) == "they"
+        acts = (mention.goes_by or "drives" in mention.marks) and _word(roster, mention) == "they"
         return _new_person(roster, mention) if acts else roster.together([])
     if which in {"they", "both", "all", "neither"}:
         return _together(roster, mention, exclude)

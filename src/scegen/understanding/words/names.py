@@ -178,16 +178,16 @@ def of_no_known_kind(terms: list[Term], tokens: list[Token]) -> list[Term]:
     A driving verb would else find its subject in the next noun, and turn who does it to whom.
     """
     unknown = [k for k, t in enumerate(terms) if t.cat == "unknown"]
-    nouns = [k for k in unknown if cat_at(terms, _opener(terms, k)) in _FIRST_WORDS]
-    named = [(k, tokens[terms[k].i]) for k in nouns]
-    done = {n.low: does for k, n in named if (does := _done(terms, k, _number(n)))}
+    nouns = {
+        k: tokens[terms[k].i] for k in unknown if cat_at(terms, _opener(terms, k)) in _FIRST_WORDS
+    }
+    done = {n.low: does for k, n in nouns.items() if (does := _done(terms, k, _number(n)))}
     found = list(terms)
-    for k in nouns:  # "follows the EVT until the EVT brakes"
-        t = terms[k]
-        if does := done.get(tokens[t.i].low):
+    for k, noun in nouns.items():  # "follows the EVT until the EVT brakes"
+        if does := done.get(noun.low):
             doing, kind = _READ_AS[does]
-            said = f"no known kind of road user; as it {doing}, it is read as a {kind}"
-            found[k] = Term("actor", kind, t.i, t.j, _number(tokens[t.i]), {"instead": said})
+            said = {"instead": f"no known kind of road user; as it {doing}, it is read as a {kind}"}
+            found[k] = Term("actor", kind, terms[k].i, terms[k].j, _number(noun), said)
     return found
 
 

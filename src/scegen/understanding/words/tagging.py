@@ -203,10 +203,8 @@ def _match_at(tokens: list[Token], i: int, previous: Term) -> Match | None:
 def _cut_down(match: Match, tokens: list[Token], i: int, previous: Term) -> Match | None:
     """A phrase of several words without those that belong to what follows."""
     token = tokens[i]
-    if (
-        (_undergone(tokens, i) and tokens[match.j - 1].low == "by")  # "driven by a student"
-        or (token.low == "right" and match.only("sub") and previous.cat in _TURNING)
-    ):
+    by = _undergone(tokens, i) and tokens[match.j - 1].low == "by"  # "driven by a student"
+    if by or (token.low == "right" and match.only("sub") and previous.cat in _TURNING):
         return longest_match(tokens, i, i + 1)
     if _is_clause(match, tokens, i, previous):
         return longest_match(tokens, i, match.j - 1)
