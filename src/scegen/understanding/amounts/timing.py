@@ -67,10 +67,8 @@ def _since(figure: Figure) -> str:
     """The word after a time: "after" only where it opens a clause ("after that" opens none)."""
     after = figure.text.low(figure.j, figure.j + 4)
     named = any(m.i == figure.j + 1 and m.j > figure.j + 2 for m in figure.text.mentions)
-    if (
-        after.startswith(tuple(f" after {that} " for that in word_list("after_those")))
-        and not named
-    ):
+    those = tuple(f" after {that} " for that in word_list("after_those"))
+    if after.startswith(those) and not named:
         return "later"
     if after.startswith(" after ") and figure.text.find("starts", figure.j, figure.j + 4):
         return "start"

@@ -271,9 +271,8 @@ class ClauseReader:
             negated = negated or state.anchor.negated
         event.negated = negated or self._lacking(event) or event.negated
         event.unable = event.negated and bool({"neg:unable", "aux:can"} & state.between)
-        event.negated = event.negated or any(
-            m.denied or m.pronoun == "neither" for m in event.subject
-        )
+        denied = any(m.denied or m.pronoun == "neither" for m in event.subject)
+        event.negated = event.negated or denied
         if any("had" in m.marks for m in event.subject):  # "had it braked, it …": it did not
             event.negated = not event.negated
         event.perfect = "aux:have" in state.between

@@ -72,9 +72,8 @@ def _likewise(events: list[Event], tokens: list[Token]) -> None:
         if does and so and said[:1] and said[0].i > event.i:  # "and so does the van opposite"
             event.name, event.subject, event.object = "likewise", said[:1], None
             said[0].mods, event.mods = [*said[0].mods, *event.dirs], []
-        later = any(
-            (m.cat, m.value) == ("quantity", "time") and _in_order(tokens, m) for m in event.mods
-        )
+        times = [m for m in event.mods if (m.cat, m.value) == ("quantity", "time")]
+        later = any(_in_order(tokens, m) for m in times)
         if event.name == "follow" and later and not (event.object or event.pps):
             event.name = "likewise"  # "a van sets off and the ego follows 1 s later"
         if event.name == "light" and does and _in_turn(event, tokens):

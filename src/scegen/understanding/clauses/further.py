@@ -42,9 +42,7 @@ def also_from(noun: NounPhrase, state: State) -> bool:
     last = state.last_prep
     if last is None or not (isinstance(noun, Place) and noun.kind == "side"):
         return False
-    aside = (
-        noun.has("possessive") and "," in state.between
-    )  # "from the left, its rear 20 m ahead of us"
+    aside = noun.has("possessive") and "," in state.between  # "from the left, its rear 20 m ahead"
     joined = state.between & {"and", "or", ","} and isinstance(last.target, Place) and not aside
     if not joined or last.target is None or last.target.j != noun.i - 1:
         return False

@@ -74,7 +74,8 @@ def side_of_place(noun: NounPhrase, state: State) -> bool:
     elif isinstance(place, Place):
         arm = place.kind in _ARMS and place.stands_after(*_BY_ROAD) and place.owner is None
         arm = arm and bool({"left", "right"} & set(noun.dirs)) and noun.stands_after("in", "to")
-        beside = arm or place.kind in _BESIDE_THE_ROAD or _lane_beside(place, noun, state)
+        beside = place.kind in _BESIDE_THE_ROAD and not noun.stands_after("from")
+        beside = beside or arm or _lane_beside(place, noun, state)
         if not beside or (noun.head is None and "opposite" in noun.dirs):  # "… direction"
             return False
         place.j = noun.j

@@ -62,12 +62,8 @@ def _link(event: Event, state: State) -> None:
     if parent is not None and parent.control == "object" and event.form == "base":
         event.finite = event.finite and helped  # "lets them cross": no clause of its own
     be = "aux:be" in state.between
-    if (
-        event.form == "base"
-        and be
-        and event.name in word_list("done_to")
-        and not state.awaits("to")
-    ):
+    undergone = be and event.form == "base" and event.name in word_list("done_to")
+    if undergone and not state.awaits("to"):
         event.form = "ed"  # "is cut off", "was hit": the participle looks like the base form
     if event.reduced and event.form == "ed" and not helped:
         event.finite = False

@@ -114,14 +114,16 @@ def _gone_to(prep: Prep, event: Event, context: Context) -> bool:
 
 
 def _then(who: Mention, events: list[Event], context: Context) -> list[Prep]:
-    """``cuts in when it is 10 m in front``: so it is then, and not before."""
-    there = [p for p in who.pps if p.predicate and p.value == "ahead"]
-    told = next((e for e in reversed(events) if e.i < who.i), None) if there else None
-    if told is None or told.name not in word_list("underway") | _INTO:
-        return []
+    """``cuts in when it is 10 m in front``, ``passes; when level with it, …``: not before."""
+    there = [p for p in who.pps if p.predicate and p.value in {"ahead", "adjacent"}]
+    told = [e for e in events if e.i < who.i] if there else []
+    into = [e for e in told[-1:] if e.name in word_list("underway") | _INTO]
+    doers = {e for event in (*into, *told) if event in into or event.name in {*_PASSING, "pass"}
+             for e in event.doers}  # fmt: skip
     begins = range(max(0, who.i - _LONGEST), who.i)
-    when = any(" ".join(context.lows(k, who.i)) in word_list("triggers") for k in begins)
-    return there if when and {*who.entities} & {*told.doers} else []
+    opened = {" ".join(context.lows(k, who.i)) for k in begins}
+    when = opened & (word_list("triggers") | word_list("at_a_change"))
+    return there if when and doers & {*who.entities} else []
 
 
 def _named(
@@ -266,7 +268,7 @@ def _starts(event: Event, prep: Prep) -> bool:
     Verbs without a way of their own leave the phrase to the noun ("yields to a bus from …").
     """
     named = prep.on_mention
-    target = named is not None and named not in event.subject
+    target = named is not None and named not in event.subject and bool(named.entities)
     goal = event.object.owner if isinstance(event.object, Place) else event.object
     moved = event.name in word_list("underway") and (goal is None or named in (goal, event.object))
     sided = prep.place is not None and bool({"left", "right"} & {*prep.place.dirs})

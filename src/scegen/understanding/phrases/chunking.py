@@ -103,7 +103,6 @@ class Chunker:
     def _scan(self, k: int) -> tuple[list[Term], int]:
         """Words before a head from term ``k`` on, and where the head would stand."""
         mods: list[Term] = []
-        opened = False
         m = k
         while m < len(self._terms) and len(mods) < _MAX_MODS:
             term = self._terms[m]
@@ -112,13 +111,12 @@ class Chunker:
             closed = mods and mods[-1].cat != "quant" and not further  # "three other cars"
             if closed and term.cat in {"det", "possessive"}:
                 break
-            if term.cat in OPENERS or term.cat in _MODIFIERS:
-                opened = opened or term.cat in OPENERS
-            elif term.cat == "manner":
+            if term.cat == "manner":
+                opened = any(t.cat in OPENERS for t in mods)
                 sided = bool(mods) and mods[-1].cat == "dir"  # "from the left also going on"
                 if self._is_adverb(term) and (sided or not opened):
                     break
-            elif not loose_modifier(self._terms, m, opened or any(t.cat == "state" for t in mods)):
+            elif not (term.cat in OPENERS | _MODIFIERS or loose_modifier(self._terms, m, mods)):
                 break
             mods.append(term)
             m += 1
@@ -140,10 +138,8 @@ class Chunker:
             return self._mention(mods, m, owner)
         if head.cat in {"place", "view", "thing", "inert", "leg"}:
             return self._thing(mods, head, m, owner)
-        if (
-            not (mods and _are_others(mods[0]))  # "the others go left"
-            and is_nominal(mods, head, self._term(m + 1), self._chunks)
-        ):
+        others = bool(mods) and _are_others(mods[0])  # "the others go left"
+        if not others and is_nominal(mods, head, self._term(m + 1), self._chunks):
             coming = head.form == "ing" and mods[-1].value in _COMING_FROM
             if any(mod.cat == "num" for mod in mods) and (coming or not has_dir(mods)):
                 return self._bare(mods, k)

@@ -178,10 +178,11 @@ def each_of(chunks: list[Chunk]) -> list[Chunk]:
             for place in (first, chunk):
                 place.mods = [*place.mods, Term("dir", "adjacent", place.i, place.j)]
         roads = [c for c in found if isinstance(c, Place) and c.plural and c.kind in _EVERYWHERE]
-        there = value_at(found, len(found) - 3) in {"in", "from"}
-        if roads and there and isinstance(chunk, Mention) and chunk.pronoun == "they":
-            kind, head = roads[-1].kind, roads[-1].head  # "five arms, cars wait on each of them"
-            chunk = Place(chunk.i, chunk.j, [], head, kind=kind)  # noqa: PLW2901
+        mention = chunk if isinstance(chunk, Mention) else None
+        back = {"they": 3, "all": 1}.get(mention.pronoun or "") if mention is not None else None
+        if mention and roads and back and value_at(found, len(found) - back) in {"in", "from"}:
+            kind, head = roads[-1].kind, roads[-1].head  # "five arms, cars wait on each (of them)"
+            chunk = Place(chunk.i, chunk.j, mention.mods, head, kind=kind)  # noqa: PLW2901
         part, word = chunk_at(found, len(found) - 2), value_at(found, len(found) - 1)
         if isinstance(chunk, Place) and isinstance(part, Mention):
             every = chunk.has("quant", "all") and chunk.kind == "side"

@@ -149,9 +149,7 @@ def filmed_from(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     of = low_at(tokens, who.i - 1) == "of" and low_at(tokens, who.i - 2) in word_list("views_of")
     egos = [h for c in chunks if isinstance(c, Mention) and c.is_ego for h in c.heads]
     another = any(h.data.get("ego") and not {"me", "speaks"} & {*h.data} for h in egos)
-    plain = not (who.dirs or who.noun == "pedestrian") and not any(
-        m.cat == "state" for m in who.mods
-    )
+    plain = not (who.dirs or who.noun == "pedestrian" or who.has("state"))
     if looks and plain and not another and (of or around[0] in _FROM) and around[1] in _ENDS:
         data = {"ego": True, "speaks": True}
         who.heads = [Term("actor", "ego", who.i, who.i, data=data), *who.heads]

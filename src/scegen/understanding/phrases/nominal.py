@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.words.numbers import POSITIONS
-from scegen.understanding.words.terms import Term, cat_at
+from scegen.understanding.words.terms import Term, term_at
 
 OPENERS = frozenset({"det", "possessive", "num", "quant"})
 WAYS = frozenset({"left", "right", "straight"})
@@ -87,24 +87,24 @@ def governed(chunks: list[Chunk]) -> bool:
 _ROADS = frozenset({"highway", "road", "ramp"})
 
 
-def loose_modifier(terms: list[Term], m: int, opened: bool) -> bool:
-    """Participles before a noun, and nouns or weather words used as adjectives.
-
-    It is ``opened`` where an article or number stands before.
-    """
-    term = terms[m]
+def loose_modifier(terms: list[Term], m: int, mods: list[Term]) -> bool:
+    """Participles before a noun, and nouns or weather words used as adjectives."""
+    term, noun = terms[m], term_at(terms, m + 1)
     if term.cat == "verb" and term.premod:
         return True
-    follows = cat_at(terms, m + 1)
-    nounlike = follows in {"actor", "place", "thing", "view", "verb", "inert", "shape"}
+    opened = any(t.cat in {*OPENERS, "state"} for t in mods)
+    nounlike = {"actor", "place", "thing", "view", "verb", "inert", "shape"}
+    several = any(t.data.get("number", 0) > 1 for t in mods) and noun.form == "s"
+    if several and noun.cat == "actor" and term.cat in {"place", "inert"}:
+        return term.form == "base"  # "three road cyclists"
     if term.cat == "inert":
-        return opened and term.value == "adjective" and nounlike
+        return opened and term.value == "adjective" and noun.cat in nounlike
     if term.cat == "place" and term.value in _ROADS:
-        mass = follows == "actor" and "mass" in terms[m + 1].data  # "slow highway traffic"
+        mass = noun.cat == "actor" and "mass" in noun.data  # "slow highway traffic"
         return mass and not (m and terms[m - 1].value == "def")
     if term.cat == "env":
-        return follows in {"place", "actor"}
-    return opened and term.cat == "unknown" and follows in {"actor", "place", "unknown", "thing"}
+        return noun.cat in {"place", "actor"}
+    return opened and term.cat == "unknown" and noun.cat in {"actor", "place", "unknown", "thing"}
 
 
 def event_of(term: Term, mods: list[Term], *, nominal: bool = False) -> Event:

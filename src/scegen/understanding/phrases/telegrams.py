@@ -31,6 +31,7 @@ _AFTER = frozenset({"prep", "conj", "sub", "manner", "env", "locus", "control"})
 _WITHIN = frozenset({"", "prep", "locus", "dir", "manner", "label", "quantity"})
 _NAMED = frozenset({"cut_in", "lane_change", "merge", "u_turn", "hard_brake", "swerve"})
 _MARKS = frozenset({".", ";", "!", "?"})
+_MEASURED = frozenset({"prep", "quantity", "punct"})
 _ARTICLES = ("det", "num", "possessive", "quant")
 _UNDERGONE = frozenset({"park", "hide", "block", "collide", "locate", "follow", "overtake",
                         "encounter", "cut_off", "cut_in", "cause", "prevent"})  # fmt: skip
@@ -142,14 +143,17 @@ def _told_by_nobody(chunks: list[Chunk], k: int) -> bool:
     """``Turned right and hit a van``, ``Was going straight``: whoever tells it did.
 
     So did who is "Following a truck at 80 km/h." or "Overtaking a bus. It swerves.", and so does
-    who is told "Overtake the truck." or is "Behind a van at 60 km/h."
+    who is told "Overtake the truck." or is "60 km/h, 20 m behind a van."
     """
     if k and value_at(chunks, k - 1) not in _MARKS:
         return False
     auxiliary = (cat_at(chunks, k), value_at(chunks, k)) == ("aux", "be")
     verb, following = chunk_at(chunks, k + auxiliary), chunk_at(chunks, k + auxiliary + 1)
     end = sentence_end(chunks, k)
-    if verb.cat == "locus" and isinstance(following, Mention) and value_at(chunks, end) != ":":
+    beyond = (m for m in range(k + auxiliary, end) if chunks[m].cat not in _MEASURED)
+    there = next(beyond, end)
+    placed = cat_at(chunks, there) == "locus" and isinstance(chunk_at(chunks, there + 1), Mention)
+    if placed and value_at(chunks, end) != ":":
         others = [m for m in free_mentions(chunks[k:end]) if m.pronoun != "both"]
         return not others and not any(isinstance(c, Event) for c in chunks[k:end])
     if not isinstance(verb, Event) or verb.nominal or following.value == "by":
@@ -209,10 +213,11 @@ def _named_doing(event: Event, chunks: list[Chunk], k: int) -> bool:
 def _going(chunks: list[Chunk], k: int) -> list[Chunk]:
     """``ego straight``, ``ego in reverse``: goes there, backwards; ``parked van left``: stands.
 
-    So does ``van from the left lane into ours``.
+    So do ``van from the left lane into ours``, ``van towards us``.
     """
     way, lane = chunks[k], next((c for c in chunks[k + 1 : k + 3] if isinstance(c, Place)), None)
-    if way.value == "into" and lane is not None and lane.kind == "lane":
+    into = way.value == "into" and lane is not None and lane.kind == "lane"
+    if into or "faces" in getattr(way, "data", {}):
         return [Event("move", way.i, way.i, "s"), way] if _clause_opener(chunks, k) else []
     if not isinstance(way, Term) or (way.cat, way.value) not in _WAYS:
         return []

@@ -117,13 +117,12 @@ def _by_doing(mention: Mention, event: Event, tokens: list[Token]) -> None:
         whom.marks.add("besides")  # "the car it follows"
     if event.lemma in word_list("pedalling") and mention.heads:
         mention.goes_by = ParticipantKind.BICYCLE  # "the claimant was cycling"
-    elif event.lemma in word_list("stepping") and any("driver" in h.data for h in mention.heads):
-        on_foot = ParticipantKind.PEDESTRIAN  # "the insured walked": no driver
+    elif event.lemma in word_list("stepping") and all("driver" in h.data for h in mention.heads):
+        on_foot = ParticipantKind.PEDESTRIAN  # "the insured walked", "she steps out": no driver
         mention.goes_by = on_foot if _on_foot(event) else mention.goes_by
     if event.passive:
         return  # "the car is hit by a van from the right": the van comes from there
-    froms = (p for p in event.pps if p.value == "from" and p.place is not None)
-    whence = [p for p in froms if p.place is not None and "rear" not in p.place.dirs]
+    whence = [p for p in event.pps if p.value == "from" and p.place and "rear" not in p.place.dirs]
     mention.sides |= _sides(whence)
     if whence:
         mention.marks |= {"elsewhere"} if mention.pronoun is None else set()
@@ -181,8 +180,10 @@ def _people_in_traffic(chunks: list[Chunk], events: list[Event], tokens: list[To
         told = who.mod("det", "def") is not None and afoot  # "…; the ego hits the passenger"
         who.negated = who.negated or not (told or again)
     for who in [m for m in named if id(m) not in walking]:
-        alike = who.has("manner", "wrong_way") or _along(who)
-        who.marks |= {"drives"} if alike else set()
+        done = [e for e in events if who in e.subject]
+        sits = [p for e in done if e.lemma in word_list("at_the_wheel") for p in e.pps]
+        alike = who.has("manner", "wrong_way") or any(e.how("wrong_way") for e in done)
+        who.marks |= {"drives"} if alike or _along(who, sits) else set()
 
 
 def carried(noun: NounPhrase, chunks: list[Chunk], tokens: list[Token]) -> bool:
@@ -197,16 +198,16 @@ def carried(noun: NounPhrase, chunks: list[Chunk], tokens: list[Token]) -> bool:
     return laden or (on_board and not word_list("seats").isdisjoint(after))
 
 
-def _along(mention: Mention) -> bool:
+def _along(mention: Mention, sits: list[Prep]) -> bool:
     """Placed like a vehicle: behind, in front of, beside or across from the one who tells it."""
     head = mention.head
     if head is None:
         return False
     definite = mention.opened_by("def")
-    known = definite or "vague" in head.data or head.form == "s"
+    known = definite or "vague" in head.data or head.form == "s" or sits
     if definite and "opposite" in mention.dirs:
         return True  # "the bloke opposite"
-    for prep in mention.pps if known else []:
+    for prep in (*mention.pps, *sits) if known else ():
         place, by = prep.place, prep.who
         if prep.value == "from" and place is not None and "vague" in head.data:
             return place.kind in _OFF_THE_ROAD or not _SIDES.isdisjoint(place.dirs)
@@ -234,7 +235,7 @@ def _aside(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> Non
             away = who.noun == "pedestrian" and who is not event.object
             away = who.is_mass or (away and all(i < event.i for i in again))
             who.negated = who.negated or (away and id(who) not in acting)
-        said = [*event.subject, *event.nouns("to")] if "says" in event.data else []
+        said = [*event.subject, event.object, *event.nouns("to")] if "says" in event.data else []
         for who in (n for n in said if isinstance(n, Mention)):
             onlooks = any("onlooker" in h.data for h in who.heads)
             who.negated = who.negated or onlooks or id(who) in asked

@@ -188,8 +188,8 @@ def _definite(
     if own and car and alone and ego is not None and told_of:
         return [ego]  # "the ego reverses; a child stands behind the car", "60 % of vehicle front"
     rest = [e for e in roster.entities if not e.ego]
-    if reading.is_target and reading.det in {"def", "bare"} and len(rest) == 1:
-        return rest  # "a pedestrian target walks …; the target is hit"
+    if reading.is_target and reading.generic and reading.det in {"def", "bare"} and len(rest) == 1:
+        return rest  # "a pedestrian target walks …; the target is hit"; a GVT is a vehicle
     return others[:1] if others or reading.det == "bare" or restricted else options[:1]
 
 

@@ -52,11 +52,8 @@ def _own_vehicles(events: list[Event]) -> None:
         what = event.object
         if event.name == "lose_control":
             what = next((p.who for p in event.pps if p.value == "of" and p.who is not None), None)
-        if (
-            not isinstance(what, Mention)
-            or not event.subject
-            or event.name not in word_list("driven")
-        ):
+        acts = bool(event.subject) and event.name in word_list("driven")
+        if not (acts and isinstance(what, Mention)):
             continue
         who = event.subject[-1]
         driven = event.lemma in word_list("operating") or event.name == "reverse"

@@ -30,9 +30,10 @@ def of_pronoun(
         beside = [e for e in roster.still_near(near) if e not in exclude]
         told = beside if _word(roster, mention) == "it" else []
         return told or _single(roster, mention, exclude)
-    if which == "they" and "walks" not in mention.marks and all(e.ego for e in roster.entities):
-        drives = "drives" in mention.marks and _word(roster, mention) == "they"
-        return _new_driver(roster, mention) if drives else roster.together([])
+    unnamed = which == "they" and (mention.goes_by or "walks" not in mention.marks)
+    if unnamed and all(e.ego for e in roster.entities):
+        acts = (mention.goes_by or "drives" in mention.marks) and _word(roster, mention) == "they"
+        return _new_person(roster, mention) if acts else roster.together([])
     if which in {"they", "both", "all", "neither"}:
         return _together(roster, mention, exclude)
     if which == "other":
@@ -107,7 +108,7 @@ def _single(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Ent
         # "a rider passes the ego as it turns"; "a child behind a parked car; it is hit"
         options = [e for e in others if drives or not e.still][-1:] or options
     if word in {"he", "she"} and all("speaks" in e.named_by for e in roster.entities):
-        return _new_driver(roster, mention)  # not the one who tells it
+        return _new_person(roster, mention)  # not the one who tells it
     if "stood" in mention.marks and not any(e.still for e in options):
         standing = [e for e in recent if e.still and e not in exclude]
         options = standing[-1:] or options  # "as the ego passes a parked car, it sets off"
@@ -120,7 +121,7 @@ def _single(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Ent
     left = [e for e in (*before, *reversed(recent)) if e not in exclude]
     people = [e for e in left if word == "it" and _person(roster, e) and e.kind not in ANIMALS]
     left = [e for e in left if not (e in people or e.still)] or left  # "a man stops the ego; …"
-    other = _new_driver(roster, mention) if word in {"he", "she"} and not left else []
+    other = _new_person(roster, mention) if word in {"he", "she"} and not left else []
     return [e for e in options if e not in exclude] or left[:1] or other  # "she brakes, he …"
 
 
@@ -152,9 +153,9 @@ def _person(roster: Roster, entity: Entity) -> bool:
     return not entity.is_vehicle or last.endswith(_PERSONS)
 
 
-def _new_driver(roster: Roster, mention: Mention) -> list[Entity]:
-    """``they pulled out in front of me``: somebody who drives, not named before."""
-    return [roster.new(ParticipantKind.CAR, Basis(mention.i, mention.j))]
+def _new_person(roster: Roster, mention: Mention) -> list[Entity]:
+    """``they pulled out in front of me``: somebody not named before, who drives if not on foot."""
+    return [roster.new(mention.goes_by or ParticipantKind.CAR, Basis(mention.i, mention.j))]
 
 
 def _ordinal(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Entity]:

@@ -227,7 +227,7 @@ class Roster:
 
     def _wider(self, entity: Entity, reading: Reading) -> bool:
         """``a motorcyclist … the bike``, ``a deer … the animal``: if nobody is more so."""
-        named = reading.called <= word_list("wider_names") and reading.det == "def"
+        named = reading.called <= word_list("wider_names") and reading.det in {"def", "bare"}
         kinds = {e.kind for e in self.entities}
         return named and entity.kind is _NARROWER.get(reading.kind) and reading.kind not in kinds
 

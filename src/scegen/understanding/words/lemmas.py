@@ -11,15 +11,14 @@ _MIN_STEM = 2
 
 def _candidates(word: str) -> list[tuple[str, str]]:
     found: list[tuple[str, str]] = []
-    if word.endswith("ies"):
-        found.append((word[:-3] + "y", "s"))
+    for ending, base, form in (("ies", "y", "s"), ("ied", "y", "ed"), ("men", "man", "s")):
+        if word.endswith(ending):
+            found.append((word.removesuffix(ending) + base, form))
     if len(word) > _MIN_STEM + 1:
         if word.endswith("es"):
             found.append((word[:-2], "s"))
         if word.endswith("s") and not word.endswith("ss"):
             found.append((word[:-1], "s"))
-    if word.endswith("ied"):
-        found.append((word[:-3] + "y", "ed"))
     for ending, form in (("ing", "ing"), ("ed", "ed")):
         if word.endswith(ending):
             stem = word[: -len(ending)]

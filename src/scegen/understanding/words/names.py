@@ -165,26 +165,29 @@ def _names(terms: list[Term], k: int, tokens: list[Token]) -> bool:
 
 _FIRST_WORDS = frozenset({"det", "num"})
 _GOVERNING = frozenset({"prep", "locus", "verb"})
-_SAID_OF_IT = frozenset({"label", "dir", "manner", "state"})
+_SAID_OF_IT = frozenset({"label", "dir", "manner", "state", "unknown"})
 _DOINGS = frozenset({"cut_in", "brake", "hard_brake", "u_turn", "lane_change", "swerve"})
 _OPENING = frozenset({"det", "manner", "dir", "inert"})
-_INSTEAD = "no known kind of road user; as it drives, it is read as a car"
+_READ_AS = {"driving": ("drives", "car"), "walking": ("walks", "pedestrian")}
+"""List of events -> what they are called, and as what whoever does so is read."""
 
 
-def who_drive(terms: list[Term], tokens: list[Token]) -> list[Term]:
-    """The terms with such nouns as cars, which is said.
+def of_no_known_kind(terms: list[Term], tokens: list[Token]) -> list[Term]:
+    """The terms with unknown nouns as cars, or people, by what they do, which is said.
 
     A driving verb would else find its subject in the next noun, and turn who does it to whom.
     """
     unknown = [k for k, t in enumerate(terms) if t.cat == "unknown"]
-    nouns = [k for k in unknown if cat_at(terms, _opener(terms, k)) in _FIRST_WORDS]
-    named = [(k, tokens[terms[k].i]) for k in nouns]
-    drive = {n.low for k, n in named if _acts(terms, k, _number(n)) or _suffers(terms, k)}
+    nouns = {
+        k: tokens[terms[k].i] for k in unknown if cat_at(terms, _opener(terms, k)) in _FIRST_WORDS
+    }
+    done = {n.low: does for k, n in nouns.items() if (does := _done(terms, k, _number(n)))}
     found = list(terms)
-    for k in nouns:  # "follows the EVT until the EVT brakes"
-        t = terms[k]
-        if tokens[t.i].low in drive:
-            found[k] = Term("actor", "car", t.i, t.j, _number(tokens[t.i]), {"instead": _INSTEAD})
+    for k, noun in nouns.items():  # "follows the EVT until the EVT brakes"
+        if does := done.get(noun.low):
+            doing, kind = _READ_AS[does]
+            said = {"instead": f"no known kind of road user; as it {doing}, it is read as a {kind}"}
+            found[k] = Term("actor", kind, terms[k].i, terms[k].j, _number(noun), said)
     return found
 
 
@@ -200,13 +203,14 @@ def _opener(terms: list[Term], k: int) -> int:
     return k
 
 
-def _acts(terms: list[Term], k: int, number: str) -> bool:
+def _done(terms: list[Term], k: int, number: str) -> str | None:
+    """The list of events of which one is done by it, or to it."""
     verb = term_at(terms, k + 1)
     governed = cat_at(terms, _opener(terms, k) - 1) in _GOVERNING  # "a kid on a BMX shoots out"
-    if verb.cat != "verb" or governed:
-        return False
     forms = {"base", "ed"} if number == "s" else {"s", "ed"}
-    return verb.form in forms and verb.value in word_list("driving")
+    if verb.cat == "verb" and verb.form in forms and not governed:
+        return next((name for name in _READ_AS if verb.value in word_list(name)), None)
+    return "driving" if _suffers(terms, k) else None
 
 
 def _suffers(terms: list[Term], k: int) -> bool:

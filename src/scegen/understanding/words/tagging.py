@@ -11,8 +11,8 @@ from scegen.understanding.words.contexts import retag
 from scegen.understanding.words.names import (
     name_letters,
     named_at,
+    of_no_known_kind,
     street_name,
-    who_drive,
     whose_doing,
     with_articles,
 )
@@ -122,7 +122,8 @@ def tag(tokens: list[Token]) -> list[Term]:
         terms.append(term)
         i = terms[-1].j
     crossed = _crossings(terms, tokens)
-    return whose_doing(who_drive(with_articles(name_letters(crossed, tokens), tokens), tokens))
+    named = with_articles(name_letters(crossed, tokens), tokens)
+    return whose_doing(of_no_known_kind(named, tokens))
 
 
 def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:
@@ -194,10 +195,8 @@ def _match_at(tokens: list[Token], i: int, previous: Term) -> Match | None:
 def _cut_down(match: Match, tokens: list[Token], i: int, previous: Term) -> Match | None:
     """A phrase of several words without those that belong to what follows."""
     token = tokens[i]
-    if (
-        (_undergone(tokens, i) and tokens[match.j - 1].low == "by")  # "driven by a student"
-        or (token.low == "right" and match.only("sub") and previous.cat in _TURNING)
-    ):
+    by = _undergone(tokens, i) and tokens[match.j - 1].low == "by"  # "driven by a student"
+    if by or (token.low == "right" and match.only("sub") and previous.cat in _TURNING):
         return longest_match(tokens, i, i + 1)
     if _is_clause(match, tokens, i, previous):
         return longest_match(tokens, i, match.j - 1)
