@@ -124,13 +124,8 @@ def joins(mention: Mention, state: State) -> bool:
     listed = "and" in state.between or "or" in state.between or state.between == {","}
     if not (isinstance(anchor, Mention) and listed) or state.between & {"sub", "copy"}:
         return False
-    joint = state.at(-1)
     waiting = anchor is state.waiting
     waiting = waiting and not any(anchor in event.subject for event in state.events)
-    if isinstance(joint, Term) and "next" in joint.data and state.verb_follows and not waiting:
-        return False  # "…, and then the van brakes": what happens next
-    if mention.pronoun in {"count", "one", "another"} and "," in state.between:
-        return False  # "four vans, two turning left": some of them, not further ones
     said = bool({"aux:be", "aux:have"} & state.between) or _is_somewhere(anchor, state)
     said = said or state.being is not None
     told = state.verb_follows or state.at(1).value == "be"
