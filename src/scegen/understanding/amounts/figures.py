@@ -145,6 +145,8 @@ class Figure(Clause):
 
     def named_before(self, i: int) -> list[Entity]:
         """Who is named right before a token, forms of "to be" and adverbs skipped."""
+        if i > self.start and self.text.tokens[i - 1].low in {"our", "my"}:
+            return [self.text.ego]
         for chunk in reversed(self.text.chunks):
             if chunk.j > i:
                 continue
@@ -231,6 +233,8 @@ class Figure(Clause):
         start = whose[-1] if whose else -1
         if not whose or not (start == self.start or lows[-1] in word_list("links")):
             return []
+        if lows[start] in {"my", "our"}:
+            return [e for m in mentions for e in m.entities if e.ego][:1]
         before = [m for m in mentions if m.i < start and m.entities and not m.possessor]
         opening = self.text.bounds(self.start - 2)[0] if self.start > 1 else self.start
         said = [m for m in before if m.i >= opening and m.prep is None] or before[-1:]

@@ -136,12 +136,11 @@ _REACH = 6
 def antecedent(state: State) -> Mention:
     """The noun before "which": the last one that does not merely own something.
 
-    In "the car ahead of us, which" and "there is a car ahead of the ego, which" it is the car, as
-    it is in "the car the ego follows, which".
+    In "the car ahead of us, which" and "there is a car ahead of the ego, which" it is the car.
     """
     done_to = state.last.object if state.last is not None else None
     if isinstance(done_to, Mention) and any(done_to.i < m.i for m in state.events[-1].subject):
-        return done_to
+        return done_to  # "the car that the ego follows, which …"
     nouns = [m for m in reversed(state.mentions) if not m.possessor] or state.mentions[-1:]
     other = _about_another(state)
     beside = [m for m in nouns if located(m) and (told(m) or (other and m.is_ego))]
