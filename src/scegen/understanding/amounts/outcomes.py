@@ -225,10 +225,6 @@ def _between(scene: Clause, text: Telling) -> list[Entity]:
     sides = (scene.actors, scene.targets), (scene.targets, scene.actors)
     if any(len(a) > 1 and len({e.kind for e in a}) == 1 and text.ego in b for a, b in sides):
         return []  # "drives into the tail of a queue", "neither touched us": whichever of them
-    if len(who) == 1:  # "is hit by the front of the ego"
-        by = [p.target for p in scene.event.pps if p.value in {"by", "of"}]
-        owners = [e for m in by if isinstance(m, Place) for e in m.owned_by[:1]]
-        who += [e for e in owners if e not in who][:1]
     return who if len(who) == _PAIR else around_it(scene.event.i, who[0] if who else None, text)
 
 

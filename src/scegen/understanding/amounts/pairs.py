@@ -56,8 +56,6 @@ def each_from(figure: Figure) -> tuple[list[tuple[Entity, Entity]], list[Amount]
 def _in_one_file(members: list[Entity], text: Telling) -> bool:
     """``three cars stand in the ego's lane``: one behind the other, the first named in front."""
     ego = text.ego
-    if ego in members or len({e.kind for e in members}) != 1:
-        return False
     if not all((e, _AHEAD) in text.stand(e, ego) or e.stands for e in members):
         return False
     for leader, follower in pairwise(members):
@@ -68,9 +66,6 @@ def _in_one_file(members: list[Entity], text: Telling) -> bool:
 def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     """Who lies how far from whom."""
     text, noun, subject = figure.text, figure.noun, figure.subject
-    ending = text.found.ending
-    if figure.role == "overlap" and ending is not None and len(ending.between) == _PAIR:
-        return ending.between[0], ending.between[1]  # of those who touch
     if " ".join(figure.words_around.after.split()[:4]).endswith("the next"):
         return None  # "each 3 m clear of the next"
     if (meeting := before_they_meet(figure)) is not None:
@@ -161,8 +156,6 @@ def _by_a_pronoun(named: list[Entity], subject: list[Entity], figure: Figure) ->
     In "the van ahead changes lanes, the ego stops 2 m behind it" it is behind the one that stands.
     """
     text, placed = figure.text, figure.text.context.placed
-    if named == subject:
-        return []
     left = all(Maneuver.LANE_CHANGE in e.maneuvers and placed(e, Approach.AHEAD) for e in named)
     if not left or text.ego not in subject or figure.does not in {"stop", "brake"}:
         return named

@@ -11,7 +11,6 @@ from scegen.understanding.amounts import aside
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.pairs import each_from, pair_of, row_of, tell_order
 from scegen.understanding.amounts.telling import CHANGING, Telling
-from scegen.understanding.chunks import Place
 from scegen.understanding.entity import Entity
 from scegen.understanding.happenings import Apart, Doing, Since
 from scegen.understanding.lexicon import word_list
@@ -80,15 +79,8 @@ def _ends_up(figure: Figure) -> bool:
 
 
 def at_rest(figure: Figure) -> bool:
-    """``stops 3 m behind the truck``: how far apart they are once it stands.
-
-    Before a crosswalk: from who crosses there.
-    """
+    """``stops 3 m behind the truck``: how far apart they are once it stands."""
     pair, text = pair_of(figure), figure.text
-    if pair is not None and isinstance(figure.noun, Place) and figure.noun.kind == "crosswalk":
-        people = text.draft.entities
-        crossing = [e for e in people if Maneuver.CROSS in e.maneuvers or not e.is_vehicle]
-        pair = (figure.actors[0], crossing[0]) if crossing else None
     stops = [a for a in text.acts(figure.start, figure.i) if a.entity in (pair or ())]
     stops = [a for a in stops if a.always and a.ends_at_rest]  # "must stop 2 m before": it shall
     if pair is None or not stops:

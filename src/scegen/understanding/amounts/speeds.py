@@ -122,8 +122,6 @@ def _from_to(figure: Figure) -> Doing | None:
 
 def _meant(figure: Figure) -> list[Entity]:
     """Who drives or walks so fast."""
-    if figure.own_subject:
-        return figure.own_subject
     movers = [e for e in figure.actors if not e.parked]
     owned = figure.text.tokens[figure.start].low in word_list("its_own")
     return figure.subject if owned or not movers else movers
@@ -168,8 +166,6 @@ def relative(figure: Figure) -> bool:
     if other.speed is None:  # "the lead, at 50 km/h, is 25 km/h slower than the ego"
         who, other, faster = other, who, not faster
     sign, own = 1 if faster else -1, other.speed or STILL
-    if not told and text.context.oncoming(who if other.ego else other):
-        own, sign = Interval(low=-own.high, high=-own.low), 1  # both together come so near
     low, high = sorted((own.low + sign * by.low, own.high + sign * by.high))
     if low >= 0:
         who.speed = Interval(low=low, high=high)
@@ -264,9 +260,6 @@ def _opens_with(figure: Figure) -> list[Entity]:
     who = next((m for m in free if start <= m.i < figure.end), None)
     if who is None or any(isinstance(c, Mention | Event) for c in before):
         return []
-    named = text.low(figure.j, who.i).split()
-    if named[:1] == ["is"] and named[-1:] == ["of"] and set(named) & word_list("rates"):
-        return list(who.entities)
     acts = [c for c in text.within(start, who.i) if not c.event.embedded]
     told = before and who.prep is None and not who.possessor and not acts
     return list(who.entities) if told else []

@@ -144,8 +144,6 @@ def _met(draft: Draft, entity: Entity) -> bool:
 
 def _seen(draft: Draft, entity: Entity, seen: frozenset[Approach]) -> bool:
     """``the car ahead``, ``an oncoming van``: there is somebody from whom it is seen."""
-    if entity.entries or entity.heading is not None:
-        return False
     after = [t.low for t in draft.tokens[entity.basis.j or 0 :][:1]]
     told = [p.approaches for p in draft.placements_of(entity) if p.reference is None]
     lane = entity.start_lane or entity.by_ramp

@@ -66,8 +66,6 @@ def _afoot(entity: Entity, *, alone: bool) -> None:
     sides = entity.approaches & {Approach.LEFT, Approach.RIGHT}
     if Maneuver.CROSS in entity.maneuvers and sides:
         entity.approaches = sides  # "behind it, from the right": from where it comes
-    elif entity.maneuvers == {Maneuver.STAY}:
-        entity.approaches = entity.approaches & (along | {Approach.BEHIND}) or entity.approaches
     elif entity.maneuvers == {Maneuver.STRAIGHT} and alone:
         basis = entity.maneuver_basis or entity.basis
         entity.comes_from(along, basis.because("along the road; which way is not said"))
@@ -90,7 +88,8 @@ def _in_the_same_lane(entity: Entity, ego: Entity, *, passed: bool) -> None:
         reason = "the ego goes over to pass it" if passed else "who is met in the lane is ahead"
         reason = "in the lane of the ego" if same else reason
         entity.beside = entity.in_next_lane = None
-        entity.comes_from({Approach.AHEAD}, entity.start_lane[1].because(reason))
+        behind = {Approach.BEHIND} if same and along == {Approach.BEHIND} else None
+        entity.comes_from(behind or {Approach.AHEAD}, entity.start_lane[1].because(reason))
 
 
 def _into_the_lane(entity: Entity, ego: Entity, happenings: Happenings) -> None:

@@ -12,6 +12,7 @@ _PASSING = frozenset({"overtake", "pass", "undertake", "bypass"})
 _MET = _PASSING | {"collide"}
 _OUT, _HALVES = frozenset({"overtake", "bypass"}), frozenset({"lane", "side"})
 _ASIDE = frozenset({",", "unknown", "inert"})
+_SHOWS = frozenset({"reveal", "encounter"})
 
 
 def preposition(word: Term, state: State) -> None:
@@ -105,10 +106,8 @@ def _noun(prep: Prep, state: State) -> Mention | None:
     if whom is not None and whom.whole is not None and whom.whole.j == prep.word.i:
         whom = prep.on_mention = whom.whole  # "one of the two cars ahead": both are
     head = _head_of(prep, state)
-    if prep.value == "due" and state.events:
-        return None  # "a boy whom I can't see because of a van"
     if whom is None:
-        return head
+        return head or shown(state)
     if _of_who_acts(prep, whom, state) or _came_from(prep, whom, state) or _astern(prep, state):
         return None
     if head is None and located(whom) and prep.value == "from" and state.events:
@@ -117,6 +116,12 @@ def _noun(prep: Prep, state: State) -> Mention | None:
         own = any(m.is_ego for m in state.events[-1].subject) and prep.names("side", "direction")
         return whom if own else None
     return head or whom
+
+
+def shown(state: State) -> Mention | None:
+    """``reveals a slow car at 20 km/h, 40 m ahead of it``: who is so fast, and there."""
+    seen = state.last.object if state.last is not None and state.last.name in _SHOWS else None
+    return seen if isinstance(seen, Mention) and seen is state.anchor else None
 
 
 def _astern(prep: Prep, state: State) -> bool:
@@ -147,7 +152,9 @@ def outside(state: State, number: Term | None = None) -> Event:
     So does a speed: ``hits a van standing there at 50 km/h``.
     """
     last = state.events[-1]
+    nouns = [m for e in state.events for m in (e.object, *(p.target for p in e.pps))]
     put_in = last.name in {"park", "wait", "stop"} and (last.embedded or not last.finite)
+    put_in = put_in and any(m in nouns for m in last.subject)  # not "there is a van standing …"
     outer = [e for e in state.events if put_in and e.finite and not e.embedded]
     closed = "," in state.between or (number is not None and number.value == "speed")
     return outer[-1] if outer and closed else last
@@ -183,7 +190,11 @@ def _of_who_acts(prep: Prep, whom: Mention, state: State) -> bool:
         if verb.name not in _PASSING:  # "is hit by a van in its left side"
             return verb.name == "collide" and verb.passive and place.kind == "side"
         # "passes a truck in the left lane"; who is in the right lane is passed
-        lane = verb.object is whom and place.kind == "lane" and "left" in place.dirs
+        inside = "right" if verb.name == "undertake" else "left"
+        aside = state.at(1).value == "to" and isinstance(state.at(2), Place)  # "lane to the right"
+        aside = (aside or "adjacent" in place.dirs) and whom.is_ego
+        there = inside in place.dirs or aside
+        lane = verb.object is whom and place.kind == "lane" and there
         return lane or (verb.passive and place.kind == "side")
     its = prep.who is not None and prep.who.pronoun is not None
     if prep.word.cat != "locus" or not (its or prep.target is None):

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.clauses import subjects
-from scegen.understanding.clauses.attachment import outside, preposition, release
+from scegen.understanding.clauses.attachment import outside, preposition, release, shown
 from scegen.understanding.clauses.dependents import chain
 from scegen.understanding.clauses.further import close_relative
 from scegen.understanding.clauses.nominals import read_mention, read_noun
@@ -159,6 +159,7 @@ class ClauseReader:
         related = "rel" in state.between and bool(state.mentions) and predicate
         noun = state.mentions[-1] if related else state.last_pp or state.anchor
         stated = word.cat == "state" and (state.between == {","} or state.at(-1).value == "(")
+        stated = stated or (word.value == "speed" and noun is not None and noun is shown(state))
         if opens and after_event and not state.candidate_done:
             state.ahead.append(word)  # "a cyclist riding ahead suddenly turns"
         elif copular and state.waiting is not None:
@@ -175,8 +176,6 @@ class ClauseReader:
             state.candidate.mods.append(word)
         elif word.cat == "manner" and isinstance(state.at(1 + (following.value == ",")), Mention):
             state.ahead.append(word)  # "Suddenly a van …", "In reverse, the ego …"
-        elif self.events and not state.mentions and word.cat != "quantity":
-            self.events[-1].mods.append(word)
 
     def _told_before(self, word: Term) -> bool:
         """``a van following the ego too closely is unable to react``: how it follows."""

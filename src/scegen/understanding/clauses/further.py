@@ -142,6 +142,9 @@ def antecedent(state: State) -> Mention:
 
     In "the car ahead of us, which" and "there is a car ahead of the ego, which" it is the car.
     """
+    done_to = state.last.object if state.last is not None else None
+    if isinstance(done_to, Mention) and any(done_to.i < m.i for m in state.events[-1].subject):
+        return done_to  # "the car that the ego follows, which …"
     nouns = [m for m in reversed(state.mentions) if not m.possessor] or state.mentions[-1:]
     other = _about_another(state)
     beside = [m for m in nouns if located(m) and (told(m) or (other and m.is_ego))]
@@ -188,7 +191,7 @@ def opens_relative(mention: Mention, state: State) -> bool:
     if not isinstance(about, Mention) or not about.heads or about.possessor:
         return False
     waits = about is state.waiting and not state.between
-    known = mention.pronoun is not None or any("speaks" in h.data for h in mention.heads)
+    known = mention.pronoun is not None or mention.is_ego
     if not (marked or waits or known) or not _acts(state):
         return False
     state.relative = (mention, about)
@@ -203,8 +206,6 @@ def _acts(state: State) -> bool:
                 continue  # "the van that the ego wants to overtake"
             free = not isinstance(state.at(n + 1), Mention)
             return chunk.name in word_list("done_to_somebody") and free and not chunk.nominal
-        if chunk.cat not in {"aux", "manner", "neg"} and chunk.value != "to":
-            return False
     return False
 
 

@@ -184,12 +184,8 @@ def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
     if not placed and not (locus and isinstance(target, Mention | Thing)) and not sided:
         return None  # "from the ego's left a van comes"
     m += 1
-    if isinstance(target, Mention) and target.possessor and isinstance(owned, NounPhrase):
-        m += 1  # "behind the ego's bumper"
     parked = chunk_at(chunks, m)
     m += isinstance(parked, Event) and (parked.name, parked.form) in RESTING
-    if _side_after(chunks, m):
-        m += 2  # "behind a van (parked) on the right a man …", "from the road on the left a van …"
     while value_at(chunks, m) == "of" and isinstance(chunk_at(chunks, m + 1), Mention | Place):
         m += 2
     return m

@@ -153,10 +153,9 @@ def in_between(chunks: list[Chunk]) -> list[Chunk]:
 def _of_them(chunk: Chunk, found: list[Chunk]) -> None:
     """``each of the vans turns``, ``neither of the vans stops``: the vans do, or do not."""
     part = chunk_at(found, len(found) - 2)
-    whole = (
-        isinstance(chunk, Mention) and bool(chunk.heads) and found[-1:] and found[-1].value == "of"
-    )
-    if whole and isinstance(part, Mention) and part.pronoun in _WHOLE:
+    whole = isinstance(chunk, Mention) and bool(chunk.heads) and not chunk.is_ego
+    of = whole and value_at(found, len(found) - 1) == "of"
+    if of and isinstance(part, Mention) and part.pronoun in _WHOLE:
         none = part.pronoun not in {"all", "both"}
         found[-2:] = [Term("neg", "not", part.i, part.j)] if none else []
 

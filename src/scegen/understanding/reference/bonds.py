@@ -12,7 +12,12 @@ from scegen.understanding.clauses.further import aside
 from scegen.understanding.clauses.located import is_it
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.listed import sides_of
-from scegen.understanding.phrases.lookahead import BOUNDARIES
+from scegen.understanding.phrases.lookahead import (
+    BOUNDARIES,
+    chunk_at,
+    free_mentions,
+    sentences,
+)
 from scegen.understanding.phrases.nominal import WAYS
 from scegen.understanding.reference.its import others_than_it, same_again
 from scegen.understanding.words.terms import NOTHING
@@ -23,6 +28,7 @@ _ALONG = frozenset({"ahead", "behind"})
 _DESCRIBES = frozenset({"ed", "ing"})
 _UNDERWAY = frozenset({"move", "wait", "approach"})
 _BEHIND = ("locus", "behind", None, None)
+_PAIR = 2
 _COMING_OUT = frozenset({"cross", "appear", "pull_out"})
 
 
@@ -67,7 +73,7 @@ def bonds_of(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> B
     """Whom every mention can mean, as far as the clauses tell."""
     mentions = [c for c in chunks if isinstance(c, Mention)]
     objects = {id(e.object) for e in events}
-    there = _said_to_be_there(chunks)
+    there = _said_to_be_there(chunks) | _noted(chunks)
     # "the lead car reveals a standing one. The ego hits it.": told of what came into view
     revealed = {id(e.object) for e in events if e.name == "reveal"}
     subjects = revealed | {
@@ -253,6 +259,21 @@ def _said_to_be_there(chunks: list[Chunk]) -> set[int]:
                 found -= {id(opens)} if opens is not None else set()
                 opens = None
             fresh = False
+    return found
+
+
+def _noted(chunks: list[Chunk]) -> set[int]:
+    """``Target ahead of the VUT, both 50 km/h; it brakes.``: whom a sentence without a verb names.
+
+    In "Ego 50 km/h, a van ahead of it" it is the van.
+    """
+    found: set[int] = set()
+    for begin, k in sentences(chunks):
+        here = chunks[begin:k]
+        spoken = any(isinstance(c, Event) or c.cat in {"aux", "sub"} for c in here)
+        who = free_mentions(here) if isinstance(chunk_at(here, 0), Mention) and not spoken else []
+        others = [m for m in who if m.heads and not m.is_ego]
+        found |= {id(m) for m in (others or who[:1]) if len(others) < _PAIR}
     return found
 
 

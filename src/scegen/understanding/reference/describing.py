@@ -252,9 +252,10 @@ def _at_the_wheel(mention: Mention, event: Event, tokens: list[Token]) -> bool:
     """``some guy comes towards us``, ``skids``, ``goes far too fast``: on a road, who drives."""
     words = {t.base for t in tokens[event.i : event.j]}
     aside = words & word_list("off_balance") or any(p.names("sidewalk") for p in event.pps)
-    light = isinstance(event.object, Place) and event.object.kind in {"signal", "stop_sign"}
-    if light and event.lemma in word_list("jumping"):
-        return True  # "runs a red light"
+    kind = event.object.kind if isinstance(event.object, Place) else ""
+    light = kind in {"signal", "stop_sign"} and event.lemma in word_list("jumping")
+    if light or (kind == "exit" and not _on_foot(event)):
+        return True  # "runs a red light", "misses his exit"
     if event.name not in word_list("not_from_rest") | _AT_SPEED or aside:
         return False
     at = [p.target for p in event.pps if tokens[p.word.i].low in word_list("at_somebody")]

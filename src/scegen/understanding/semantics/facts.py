@@ -22,6 +22,10 @@ def _is(name: str) -> Test:
     return lambda clause, _: bool(getattr(clause.event, name))
 
 
+def _implied(name: str) -> Test:
+    return lambda _, context: name in context.draft.implied
+
+
 def _rests(entity: Entity, i: int) -> bool:
     """``has stopped in the lane``: where somebody is, nothing that one does."""
     said = [b for b in (entity.stands, entity.told.get("held"), *entity.rests) if b is not None]
@@ -72,8 +76,7 @@ FACTS: dict[str, Test] = {
         ]
     ),
     "ramp": lambda _, context: context.draft.ramp is not None,
-    "access": lambda _, context: "access" in context.draft.implied,
-    "from_kerb": lambda _, context: "from_kerb" in context.draft.implied,
+    **{name: _implied(name) for name in ("access", "from_kerb", "lanes")},
     "controlled": lambda _, context: context.junction.control is not None,
     "dangerous": lambda _, context: bool(context.draft.dangers),
     "endangered": lambda _, c: any(d.by and not any(e.ego for e in d.by) for d in c.draft.dangers),

@@ -13,6 +13,8 @@ from scegen.understanding.words.tokens import Token, low_at
 _CLOSED = ("conj", "sub", "rel", "prep", "locus", "verb", "dir", "quant")
 """Classes of words that go on after a number without a unit; nouns would be counted by it."""
 _FEWEST, _MOST = 3, 200
+_ON_FOOT_MPS = 2.5
+"""Slower ones tell how people walk, or how somebody moves aside: others have other units."""
 _LOWEST_BARE = 15
 """Lower numbers without a unit, after "at", are hours as well."""
 _SAID_REACH = 4
@@ -43,7 +45,7 @@ def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
         return None
     for k in range(len(tokens)):
         given = quantity_at(tokens, k)
-        if given is not None and given.dimension == "speed":
+        if given is not None and given.dimension == "speed" and given.value.high > _ON_FOOT_MPS:
             return as_written(tokens, i, j, given)
     if 0 < number.value < _LOWEST_BARE:
         return None
@@ -79,7 +81,8 @@ def _beside_who(tokens: list[Token], i: int, j: int, value: float) -> bool:
     ends = [k for k in range(max(0, i - _BESIDE), i) if _ends_place(tokens, k, i)]
     at = ends[0] if ends else i - (low_at(tokens, i - 1) in {":", "="})
     who = longest_match(tokens, at - 1) if at else None
-    if who is not None and who.has("actor", "pronoun"):
+    named = who is not None and who.has("actor", "pronoun")
+    if named or low_at(tokens, at - 1) in word_list("by_themselves"):
         if value >= _LOWEST_BARE and not begins(tokens, j, "verb"):
             return True
     elif low_at(tokens, j) != "for":

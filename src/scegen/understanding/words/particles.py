@@ -27,6 +27,8 @@ def just_right(tokens: list[Token], i: int, previous: Term) -> bool:
 def then_a_noun(tokens: list[Token], match: Match) -> bool:
     """``straight on the main road``: "on" belongs to the road, unlike in "straight on at"."""
     after = low_at(tokens, match.j)
+    if [t.low for t in tokens[match.j - 1 : match.j + 2]] == ["in", "front", "of"]:
+        return True  # "swings back in front of the ego"
     if after == "of":
         return all(e.cat == "manner" and e.value == "row" for e in match.entries)
     if tokens[match.j - 1].low == "across" and any(e.value == "encounter" for e in match.entries):
