@@ -55,7 +55,7 @@ def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] 
     first = k - (cat_at(chunks, k - 1) == "manner")  # "unbraked collision of the ego with …"
     before = value_at(chunks, first - 1) if first else "."
     opens = before in BOUNDARIES or (before in _JOINTS and (event.nominal or event.form == "ing"))
-    hit = event.name == "collide" and not event.nominal  # that is no noun
+    hit = event.name == "collide" and not event.nominal and value_at(chunks, k + 1) != "of"
     if hit or not (opens or noted(event, k, chunks)) or event.form not in {"base", "ing"}:
         return None
     after = chunk_at(chunks, k + 1)

@@ -284,9 +284,9 @@ def _touching(chunks: list[Chunk], k: int) -> list[Chunk]:
 
 
 def _owned(parts: list[Chunk]) -> bool:
-    """``our front``, ``the middle of its front``, unlike a bare ``front`` of whoever acts."""
-    first = chunk_at(parts, 0)
-    return isinstance(first, NounPhrase) and first.mod(*_ARTICLES) is not None
+    """``our front``, ``front of the ego``, unlike a bare ``front`` of whoever acts."""
+    first, whose = chunk_at(parts, 0), value_at(parts, 1) == "of"
+    return isinstance(first, NounPhrase) and (whose or first.mod(*_ARTICLES) is not None)
 
 
 def _of_bodies(chunks: list[Chunk]) -> bool:
