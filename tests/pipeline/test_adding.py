@@ -154,7 +154,7 @@ for line in sys.stdin.read().splitlines():
 SENTENCES = (
     "A van whooshes out in front of the ego from the next lane on a motorway.",
     "A child whooshes out from behind a parked van.",
-    "The driver of an oncoming truck nods off on a straight road.",
+    "The driver of an oncoming truck zonks out on a straight road.",
     "The ego follows a truck, hanging back 30 m.",
 )
 

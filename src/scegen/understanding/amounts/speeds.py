@@ -260,6 +260,9 @@ def _opens_with(figure: Figure) -> list[Entity]:
     who = next((m for m in free if start <= m.i < figure.end), None)
     if who is None or any(isinstance(c, Mention | Event) for c in before):
         return []
+    named = text.low(figure.j, who.i).split()
+    if named[:1] == ["is"] and named[-1:] == ["of"] and set(named) & word_list("rates"):
+        return list(who.entities)
     acts = [c for c in text.within(start, who.i) if not c.event.embedded]
     told = before and who.prep is None and not who.possessor and not acts
     return list(who.entities) if told else []

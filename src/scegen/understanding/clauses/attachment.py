@@ -108,6 +108,8 @@ def _noun(prep: Prep, state: State) -> Mention | None:
     head = _head_of(prep, state)
     if whom is None:
         return head or shown(state)
+    if prep.value == "due" and state.events:
+        return None  # "a boy whom I can't see because of a van"
     if _of_who_acts(prep, whom, state) or _came_from(prep, whom, state) or _astern(prep, state):
         return None
     if head is None and located(whom) and prep.value == "from" and state.events:

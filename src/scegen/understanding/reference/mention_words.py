@@ -206,7 +206,8 @@ def tells(mention: Mention) -> bool:
 def elsewhere(reading: Reading, mention: Mention, entity: Entity) -> bool:
     """``lead car brakes; car on the left``: a bare noun with a place of its own is another one."""
     called = reading.called - entity.named_by - word_list("wider_names")
-    if entity.ego and (called or mention.has("verb", "approach")):
+    other = called and not (reading.kind is entity.kind is not ParticipantKind.CAR)
+    if entity.ego and (other or mention.has("verb", "approach")):
         return True  # "the ego turns; the SUV …", "…; the approaching car …"
     if mention.sides and entity.loci and reading.det != "def":
         return True  # "a jam ahead; a car on the left"
