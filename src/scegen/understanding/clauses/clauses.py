@@ -268,7 +268,7 @@ class ClauseReader:
         negated = any(word.startswith("neg:") for word in state.between)
         if event.nominal and isinstance(state.anchor, Event) and state.anchor.name == "light":
             negated = negated or state.anchor.negated
-        event.negated = negated or self._lacking(event) or event.negated
+        event.negated |= negated or self._lacking(event) or self._neither(event)
         event.unable = event.negated and bool({"neg:unable", "aux:can"} & state.between)
         denied = any(m.denied or m.pronoun == "neither" for m in event.subject)
         event.negated = event.negated or denied
@@ -281,6 +281,12 @@ class ClauseReader:
         state.events.append(event)
         self.events.append(event)
         state.stand_at(whom)
+
+    def _neither(self, event: Event) -> bool:
+        """``does not steer, brake or accelerate``, ``without slowing or braking``: none of them."""
+        last, between = self._state.last, self._state.between
+        listed = "or" in between or (event.form == "base" and between == {","})
+        return listed and last is not None and last.negated and event.form == last.form != "s"
 
     def _lacking(self, event: Event) -> bool:
         """``without braking``, ``without either driver braking``."""
