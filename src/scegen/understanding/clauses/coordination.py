@@ -155,6 +155,8 @@ def joins(mention: Mention, state: State) -> bool:
     for event in state.events:
         if event.object is anchor:
             event.object = mention
+        met = (p for p in event.pps if p.target is anchor and p.value != "between")
+        event.pps += [replace(p, target=mention) for p in met]  # "is followed by a van and a bus"
     state.stand_at(mention)
     return True
 
