@@ -23,6 +23,7 @@ from scegen.understanding.phrases.lookahead import (
     sentences,
     value_at,
 )
+from scegen.understanding.phrases.touching import ARTICLES, touching
 from scegen.understanding.words.terms import NOTHING, Term
 
 _WAYS = frozenset({("dir", "left"), ("dir", "right"), ("dir", "straight"), ("manner", "backwards")})
@@ -32,15 +33,12 @@ _WITHIN = frozenset({"", "prep", "locus", "dir", "manner", "label", "quantity"})
 _NAMED = frozenset({"cut_in", "lane_change", "merge", "u_turn", "hard_brake", "swerve"})
 _MARKS = frozenset({".", ";", "!", "?"})
 _MEASURED = frozenset({"prep", "quantity", "punct"})
-_ARTICLES = ("det", "num", "possessive", "quant")
 _UNDERGONE = frozenset({"park", "hide", "block", "collide", "locate", "follow", "overtake",
                         "encounter", "cut_off", "cut_in", "cause", "prevent"})  # fmt: skip
 """Verbs whose participle says what happened to somebody."""
 
 
 _STOPS = frozenset({".", ";", "!"})
-_BODY = frozenset({"side", "front", "flank", "portion", "middle"})
-_PACE = frozenset({"quantity", "dir", "manner"})
 
 
 def spell_out(chunks: list[Chunk]) -> list[Chunk]:
@@ -58,7 +56,7 @@ def spell_out(chunks: list[Chunk]) -> list[Chunk]:
             found.append(teller_at(chunk.i))
         if isinstance(chunk, Place) and chunk.kind == "exit" and _clause_opener(chunks, k):
             found.append(Event("leave", chunk.i, chunk.i, "s"))  # "ego 3rd exit"
-        found += _touching(chunks, k)
+        found += touching(chunks, k)
         found += _of_the_same(chunks, k, found)
         found += _going(chunks, k) or [chunk]
     return found
@@ -162,7 +160,7 @@ def _told_by_nobody(chunks: list[Chunk], k: int) -> bool:
         return False
     egos = any(isinstance(c, Mention) and c.is_ego for c in chunks)
     if verb.form == "base" or (verb.form == "s" and k == 0 and not egos):
-        named = isinstance(following, NounPhrase) and following.mod(*_ARTICLES) is not None
+        named = isinstance(following, NounPhrase) and following.mod(*ARTICLES) is not None
         named = named or (isinstance(following, Mention) and following.pronoun is not None)
         placed = following.cat in {"prep", "locus", "dir"} or following.value == "length"
         told = verb.form == "s" or verb.name in word_list("commanded")
@@ -251,48 +249,6 @@ def _of_the_same(chunks: list[Chunk], k: int, before: list[Chunk]) -> list[Chunk
         whom = teller_at(verb.i) if egos else it
         return [whom, Term("aux", "be", verb.i, verb.i)] if ends(last) and not others else []
     return [it] if about is not None and verb.form == "s" and last.value in _STOPS else []
-
-
-def _touching(chunks: list[Chunk], k: int) -> list[Chunk]:
-    """``our front into its tail``, ``…, middle of our front``: parts touch, without a verb.
-
-    So it is in ``…, front into the taxi``; "40 km/h straight into the van" drives into it.
-    """
-    at, last = chunks[k].i, chunk_at(chunks, k - 1)
-    opens = ends(last) or last.value == ","
-    if not (opens or chunks[k].value == "into"):
-        return []
-    marks = [m for m, c in enumerate(chunks) if ends(c) or c.value == ","]
-    before = chunks[max((m + 1 for m in marks if m < k), default=0) : k]
-    after = chunks[k : min((m for m in marks if m >= k), default=len(chunks))]
-    if chunks[k].value == "into" and _owned(before) and _of_bodies(before + after[1:]):
-        return [Event("collide", at, at, "s", lemma="hit")]
-    if opens and _of_bodies(after):
-        aside = all(c.kind == "side" and c.owner is None for c in after if isinstance(c, Place))
-        doing = [] if aside else [Event("collide", at, at, "base", nominal=True)]
-        return [*doing, Term("prep", "in", at, at)]  # "…, right side": there it is
-    into = next((m for m, c in enumerate(after) if c.value == "into"), 0)
-    whom, paced = after[into + 1 :], all(c.cat in _PACE for c in after[:into])
-    touched = isinstance(chunk_at(whom, 0), Mention) or _of_bodies(whom)
-    own = _of_bodies(after[:into]) and not _owned(after)
-    if not (opens and into and touched and (paced or own)):
-        return []
-    who = [teller_at(at)] if ends(last) else []
-    if paced:
-        return [*who, Event("move", at, at, "s")]
-    return [*who, Event("collide", at, at, "s"), Term("prep", "with", at, at)]
-
-
-def _owned(parts: list[Chunk]) -> bool:
-    """``our front``, ``front of the ego``, unlike a bare ``front`` of whoever acts."""
-    first, whose = chunk_at(parts, 0), value_at(parts, 1) == "of"
-    return isinstance(first, NounPhrase) and (whose or first.mod(*_ARTICLES) is not None)
-
-
-def _of_bodies(chunks: list[Chunk]) -> bool:
-    """``the left end of the ego's front``: a part of somebody, and nothing else."""
-    parts = [c for c in chunks if not (isinstance(c, Mention) or c.value == "of")]
-    return bool(parts) and all(isinstance(c, Place) and c.kind in _BODY for c in parts)
 
 
 def _clause_opener(chunks: list[Chunk], k: int) -> Mention | None:
