@@ -42,6 +42,8 @@ def _share(pair: list[Entity], words: Basis, reason: str) -> None:
 def _until_alike(text: Telling) -> None:
     """``slows down to the speed of the lorry``, ``brakes to match it``: as fast in the end."""
     for doing in text.acts(0, len(text.tokens), CHANGING):
+        if "target_speed_mps" in doing.amounts:
+            continue
         within = text.within(doing.i + 1, text.bounds(doing.i)[1])
         end = next((s.event.i for s in within if s.event.finite), text.bounds(doing.i)[1])
         span = text.find("to_their_speed", doing.i, end)

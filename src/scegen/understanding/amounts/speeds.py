@@ -166,6 +166,8 @@ def relative(figure: Figure) -> bool:
     if other.speed is None:  # "the lead, at 50 km/h, is 25 km/h slower than the ego"
         who, other, faster = other, who, not faster
     sign, own = 1 if faster else -1, other.speed or STILL
+    if not told and text.context.oncoming(who if other.ego else other):
+        own, sign = Interval(low=-own.high, high=-own.low), 1  # both together come so near
     low, high = sorted((own.low + sign * by.low, own.high + sign * by.high))
     if low >= 0:
         who.speed = Interval(low=low, high=high)

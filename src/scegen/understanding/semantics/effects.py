@@ -113,7 +113,7 @@ def _place(approaches: set[Approach], row: dict[str, Any], of: str, words: Words
     def effect(clause: Clause, context: Context) -> None:
         basis = words(clause, context)
         seen_by = reference(clause, context) if reference is not None else [None]
-        for entity, observer in product(list(whom(clause, context)), list(seen_by)):
+        for entity, observer in product(whom(clause, context), seen_by):
             if "unsaid" not in row or observer is None or apart(entity, observer, context):
                 context.draft.place(entity, observer, set(approaches), basis)
 
