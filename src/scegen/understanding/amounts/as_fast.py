@@ -112,8 +112,9 @@ def kept_apart(text: Telling) -> None:
     slow = text.draft.causing(HazardKind.SLOW_DRIVING)
     for apart in text.found.spacings:
         pair = [e for e in (apart.entity, apart.reference) if isinstance(e, Entity)]
-        sentence = text.bounds(apart.amount.basis.i or 0)
-        told = text.find("keeping_apart", *sentence) is not None
+        at = apart.amount.basis.i or 0
+        start, end = text.bounds(at)
+        told = text.find("keeping_apart", start, at) is not None or " kept " in text.low(at, end)
         kept = told or apart.measure is Measure.HEADWAY_S
         kept = kept and not any(e in slow or e.maneuvers - {Maneuver.STRAIGHT} for e in pair)
         if isinstance(apart.at, Doing):

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import Side
 from scegen.understanding.amounts.aside import SIDE_WORDS
 from scegen.understanding.amounts.figures import Figure
+from scegen.understanding.amounts.speeds import one_each
 from scegen.understanding.amounts.timing import likewise
 from scegen.understanding.entity import Basis
 from scegen.understanding.frames import acts as frames
@@ -27,12 +30,11 @@ def fill(figure: Figure, field: str, kinds: frozenset[ActKind]) -> bool:
 
 def made(figure: Figure, kind: ActKind, field: str) -> bool:
     """``lead car, deceleration 6 m/s²``: an act that only its amount tells of."""
-    who, event = figure.subject, figure.verb
-    if not who:
-        return False
+    event, whose_ = figure.verb, one_each(figure.subject[:1], figure)
     told = [event.i] if event is not None and event.i < figure.i else []
-    doing = Doing(kind, who[0], figure.amount.basis, figure.i, told=told)
-    return _give(figure.text.add(doing), figure, field)
+    for who, _ in whose_:
+        figure.text.add(Doing(kind, who, figure.amount.basis, figure.i, told=list(told)))
+    return bool(whose_) and _give(figure.text.acts(figure.i, figure.j)[0], figure, field)
 
 
 def comes_to(figure: Figure) -> bool:
@@ -91,8 +93,10 @@ def _give(doing: Doing, figure: Figure, name: str) -> bool:
         _side(doing, figure)
         if both := figure.text.find("both_ways", doing.i, figure.j + _SIDE_REACH):
             _to_both_sides(doing, figure, amount, Basis(*both, "which side first is not said"))
-    for same in figure.text.acts(doing.i, doing.i + 1, {doing.kind}):  # "both brake with 6 m/s²"
-        same.amounts.setdefault(name, amount)
+    alike = figure.text.acts(doing.i, doing.i + 1, {doing.kind})  # "both brake with 6 m/s²"
+    for same, own in zip(alike, figure.quantity.each(len(alike)), strict=True):
+        several = own is not figure.quantity  # "brake with 6 and 4 m/s²"
+        same.amounts.setdefault(name, replace(amount, value=own.value) if several else amount)
     return True
 
 

@@ -117,12 +117,22 @@ def _brought_in(figure: Figure) -> list[list[Entity]]:
 
 
 def two_between(figure: Figure) -> list[list[Entity]]:
-    """``45 m remain between the van and the car``, ``the gap between them is 45 m``: the pair."""
+    """``45 m remain between the van and the car``, ``the gap between them is 45 m``: the pair.
+
+    So it is in "the distance of the van to the bus is 35 m".
+    """
     tokens, extents = figure.text.tokens, word_list("lies_between")
     mentions = [m for m in figure.text.mentions if figure.start <= m.i < figure.end]
-    opened = ((m, m.prep.i) for m in mentions if m.prep and tokens[m.prep.i].low == "between")
-    first = next((m for m, k in opened if k == figure.j or tokens[k - 1].low in extents), None)
+    opened = [(m, m.prep.i) for m in mentions if m.prep and tokens[m.prep.i].low == "between"]
+    told = [m for m, k in opened if k == figure.j or tokens[k - 1].low in extents]
+    first = next(iter([m for m in told if m.i < figure.i][-1:] or told), None)
     who = [e for m in mentions if first in (m, m.joined) for e in m.entities] if first else []
+    named = [m for m in mentions if m.i < figure.i][-_PAIR:]
+    if not who and len(named) == _PAIR and named[1].stands_after("to", "from"):
+        way = figure.text.low(named[0].i - _PAIR, named[1].i - 1).split()
+        inside = figure.text.low(named[0].j, named[1].i - 1).split()
+        apart = extents.intersection(way) and extents.issuperset(w for w in inside if w != "'s")
+        who = [e for m in named for e in m.entities] if apart else []
     return [who] if len(who) == _PAIR else []
 
 

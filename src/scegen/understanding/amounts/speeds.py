@@ -8,6 +8,7 @@ from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.chunks import Event, Mention
+from scegen.understanding.clauses.dependents import chain
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import STILL, Amount, Doing
 from scegen.understanding.lexicon import word_list
@@ -150,10 +151,12 @@ def relative(figure: Figure) -> bool:
     Without "faster" or "slower", who is behind comes up so fast to who is in front.
     """
     text, by = figure.text, figure.quantity.exact
-    word = text.low(figure.j, figure.j + 1).strip()
+    k = figure.i - 2 if text.low(figure.i - 1, figure.i) == " by " else figure.j
+    word = text.low(k, k + 1).strip()  # "slower by 20 km/h"
     told = word in word_list("faster_than") | word_list("slower_than")
     anybody = text.draft.entities if not told else []
-    named = [e for e in (*figure.actors, *figure.subject, *anybody) if e.moving_vehicle]
+    whose_ = [figure.said_of] if figure.said_of is not None else figure.actors
+    named = [e for e in (*whose_, *figure.subject, *anybody) if e.moving_vehicle]
     who = next((e for e in named if e.speed is None), next(iter(named), None) if told else None)
     meets = figure.does == "collide" and bool(text.acts(0, len(text.tokens), SLOWING))
     if who is None or (meets and not told):  # "hits it at a closing speed of …": after braking
@@ -184,26 +187,42 @@ def whose(figure: Figure) -> list[tuple[Entity, Quantity]]:
     """Those whose speed it is, with what it is of each of them; none where nothing tells."""
     near = _for_whom(figure) or figure.named_before(_outside(figure))
     near = near or _of_the_noun(figure) or _opens_with(figure)
-    return _one_each(near or _by_clause(figure), figure)
+    return one_each(near or _by_clause(figure), figure)
 
 
-def _one_each(whom: list[Entity], figure: Figure) -> list[tuple[Entity, Quantity]]:
+def one_each(whom: list[Entity], figure: Figure) -> list[tuple[Entity, Quantity]]:
     """``ego and van at 50 and 70 km/h``: as many as participants, in order; one is that of all."""
     parts = figure.quantity.parts
     last = next((m for m in reversed(figure.text.mentions) if m.j <= figure.i), None)
     if last is not None and last.joined is not None and whom == last.entities:
-        own = len(parts) == _PAIR or any((m.i, m.j) == (figure.i, figure.j) for m in last.mods)
-        whom = [*last.joined.entities, *whom] if own else whom
+        listed = max(chain(last), _with_commas(last, figure), key=len)
+        named = [entity for mention in listed for entity in mention.entities]
+        shared = _outside(figure) == figure.i  # not "a van and the ego (at 60 km/h)"
+        shared = shared and any((m.i, m.j) == (figure.i, figure.j) for m in last.mods)
+        own = len(parts) == len(named) or shared
+        whom = named if own else whom
     return list(zip(whom, figure.quantity.each(len(whom)), strict=True))
 
 
+def _with_commas(last: Mention, figure: Figure) -> list[Mention]:
+    """``the speeds of the ego, the van and the bus are …``: those that are named in a row."""
+    row, low = [last], figure.text.low
+    for mention in reversed([m for m in figure.text.mentions if m.i < last.i]):
+        if low(mention.j, row[0].i).strip() not in {",", "and", ", and"}:
+            break
+        row.insert(0, mention)
+    return row
+
+
 def _for_whom(figure: Figure) -> list[Entity]:
-    """``60 km/h for the ego and 20 km/h for the van``."""
+    """``60 km/h for the ego and 20 km/h for the van``, ``60 km/h (ego), 20 km/h (van)``."""
     text = figure.text
     who = next((m for m in text.mentions if m.i >= figure.j), None)
-    given = who is not None and text.low(figure.j, who.i) == " for "
     acts = text.within(figure.start, figure.i)
-    return list(who.entities) if who is not None and given and not acts else []
+    if who is None or acts:
+        return []
+    within = text.low(figure.j, who.i) == " ( " and text.low(who.j, who.j + 1) == " ) "
+    return list(who.entities) if within or text.low(figure.j, who.i) == " for " else []
 
 
 def _outside(figure: Figure) -> int:

@@ -56,8 +56,12 @@ def also_from(noun: NounPhrase, state: State) -> bool:
 
 
 def bracketed(state: State) -> bool:
-    """``vehicle 1 (a taxi)``: a noun alone in brackets describes the noun before."""
-    return state.at(-1).value == "(" and state.at(1).value == ")"
+    """``vehicle 1 (a taxi)``: a noun alone in brackets describes the noun before.
+
+    In "60 km/h (van)" the number is its.
+    """
+    brackets = (state.at(-1).value, state.at(1).value) == ("(", ")")
+    return brackets and state.at(-2).cat != "quantity"
 
 
 def _names_before(state: State) -> bool:

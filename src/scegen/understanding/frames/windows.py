@@ -136,7 +136,7 @@ def _before(tokens: list[Token], i: int, ends: dict[int, int]) -> str:
         if opened is not None:  # "behind a van (70 km/h) at 1.8 s"
             k = opened - 1
             continue
-        if token.low in {"(", ":"} and _any_of("fillers").issuperset(found):
+        if token.low in {"(", ":"} and _any_of("fillers", "only_before").issuperset(found):
             k -= 1
             continue
         measured = k > 0 and token.low == "when" and tokens[k - 1].low in _any_of("gauged")

@@ -36,7 +36,7 @@ def bare_speed(tokens: list[Token], i: int) -> Quantity | None:
         doing(tokens, i)
         or not led.isdisjoint(word_list("at_a_speed"))
         or (low_at(tokens, i - 1) == "to" and low_at(tokens, i - 2) in word_list("comes_to"))
-        or (low_at(tokens, i - 1), low_at(tokens, j)) == ("from", "to")
+        or (low_at(tokens, i - 1) == "from" and low_at(tokens, j) in {"to", *word_list("comes_to")})
         or rated
         or _beside_who(tokens, i, j, number.value)
     )

@@ -13,10 +13,11 @@ from scegen.units import UNITS
 
 OPENS = ATOMS | {"a", "half", "between"}
 """Words with which a quantity may begin."""
-_RANGE_WORDS = frozenset({"to", "and", "or"})
+_RANGE_WORDS = frozenset({"to", "or"})
 _ABOVE = frozenset({"over", "above", "exceeding", "beyond"})
 _FEWER = frozenset({"less", "fewer", "slower", "lower", "shorter", "closer", "nearer", "smaller"})
 _LONGEST_UNIT = 4
+_PAIR = 2
 _TEN = 10
 _SPREAD = 0.1
 """How far "about" reaches to either side, and how far "over" reaches, as a share."""
@@ -48,6 +49,11 @@ class Quantity:
         """One of the numbers for each of so many, in order; else the whole for all of them."""
         if not self.joined or len(self.parts) != count:
             return [self] * count
+        return self.singly
+
+    @property
+    def singly(self) -> list[Quantity]:
+        """Its numbers, each by itself."""
         return [replace(self, value=p, parts=(p,), note=None, joined=False) for p in self.parts]
 
     @property
@@ -75,7 +81,48 @@ def _unit_at(tokens: list[Token], i: int) -> tuple[str, str, int] | None:
 
 
 def quantity_at(tokens: list[Token], i: int) -> Quantity | None:
-    """The quantity whose first number stands at token ``i``."""
+    """The quantity whose first number stands at token ``i``; of several in a row, all of them."""
+    row = _row_at(tokens, i)
+    if len(row) == _PAIR and all(t.low != "and" for t in tokens[row[0].j : row[1].i]):
+        row = [q for q in row[:1] if number_at(tokens, q.j - 1) is None]  # "in run 3, 50 km/h"
+    if len(row) < _PAIR:
+        return row[0] if row else None
+    low, high = min(q.value.low for q in row), max(q.value.high for q in row)
+    value, parts = Interval(low=low, high=high), tuple(q.value for q in row)
+    return Quantity(row[0].dimension, value, i, row[-1].j, None, parts, joined=True)
+
+
+def _row_at(tokens: list[Token], i: int) -> list[Quantity]:
+    """``70, 60 and 50 km/h``, ``70 km/h and about 50 km/h``, ``70/60/50 km/h``.
+
+    Times are in a row only with one unit: not "for 1.5 s and 4 s later".
+    """
+    one, number = _one_at(tokens, i), number_at(tokens, i)
+    if one is None and (number is None or _names_a_lane(tokens, i, number)):
+        return []
+    j = one.j if one is not None else i + (number.length if number is not None else 0)
+    k = j + (low_at(tokens, j) == ",")
+    last = low_at(tokens, k) == "and"
+    k += last
+    slash = k == j and one is None
+    while low_at(tokens, k) in word_list("about"):
+        k += 1
+    goes_on = k < len(tokens) and (slash or (k > j and (one is None or one.dimension != "time")))
+    rest = _row_at(tokens, k)[: 1 if last else None] if goes_on else []
+    if slash:
+        rest = [part for q in rest for part in q.singly]
+    if one is None and rest:
+        one = as_written(tokens, i, j, rest[-1])
+    alike = one is not None and all(q.dimension == one.dimension for q in rest)
+    return [q for q in (one, *(rest if alike else [])) if q is not None]
+
+
+def _names_a_lane(tokens: list[Token], i: int, number: Number) -> bool:
+    """``in lane 2 65 ft ahead``."""
+    return low_at(tokens, i - 1) == "lane" and number.value < _TEN
+
+
+def _one_at(tokens: list[Token], i: int) -> Quantity | None:
     if tokens[i].kind != "number" and tokens[i].low not in OPENS:
         return None
     spelled = tokens[i].kind != "number"
@@ -96,18 +143,17 @@ def quantity_at(tokens: list[Token], i: int) -> Quantity | None:
         spread = _tolerance(tokens, end, dimension, name, first.value)
         if spread is not None:
             return _around(tokens, i, values[0], spread, dimension)
-        # "for 1.5 s and 4 s later": two times
-        joined = _RANGE_WORDS - {"and"} if dimension == "time" and not opened else _RANGE_WORDS
-        second = _second_number(tokens, end + 1) if low_at(tokens, end) in joined else None
+        ranges = low_at(tokens, end) in _RANGE_WORDS or (opened and low_at(tokens, end) == "and")
+        second = _second_number(tokens, end + 1) if ranges else None
         if (low_at(tokens, i - 1), low_at(tokens, end)) == ("from", "to"):
             second = second or _second_number(tokens, end + 1, (dimension, name))
         if second is not None and second[1] == dimension:
             return _build(tokens, i, second[2], [*values, second[0]], dimension)
         return None if opened else _build(tokens, i, end, values, dimension)
-    joiner = low_at(tokens, j) in _RANGE_WORDS
+    joiner = low_at(tokens, j) in _RANGE_WORDS or (opened and low_at(tokens, j) == "and")
     second = _second_number(tokens, j + 1 if joiner else j)
-    named = low_at(tokens, i - 1) == "lane" and first.value < _TEN  # "in lane 2 65 ft ahead"
-    if second is not None and (joiner or (tokens[i].kind == "number" and not named)):
+    beside = tokens[i].kind == "number" and not _names_a_lane(tokens, i, first)
+    if second is not None and (joiner or beside):
         value, dimension, end, name = second
         return _build(tokens, i, end, [_si(first.value, dimension, name), value], dimension)
     after = _tolerance_mark(tokens, j)
@@ -210,9 +256,7 @@ def _build(tokens: list[Token], i: int, j: int, values: list[float], dimension: 
     elif last in word_list("about"):
         note = f"'{last}' is read as 10 % to either side"
         value = Interval(low=low * (1 - _SPREAD), high=high * (1 + _SPREAD))
-    lows = [t.low for t in tokens[i:j]]
-    joined = len(values) > 1 and "and" in lows and lows[0] != "between"
-    return Quantity(dimension, value, i, j, note, parts, joined)
+    return Quantity(dimension, value, i, j, note, parts)
 
 
 def _goes_over(tokens: list[Token], i: int) -> bool:
