@@ -108,9 +108,10 @@ def interpret(chunks: list[Chunk], events: list[Event], context: Context) -> lis
 
 
 def _gone_to(prep: Prep, event: Event, context: Context) -> bool:
-    """``10 m in front of it, a van changes lanes``: not there before."""
-    far = prep.fronted and ends_a_quantity(context.tokens, prep.word.i) is not None
-    return far and prep.value == "ahead" and event.name in _INTO
+    """``10 m in front of it, a van changes lanes``, ``… comes from the left``: not there before."""
+    comes = any(p.value == "from" and isinstance(p.target, Place) for p in event.pps)
+    far = event.name in _INTO and ends_a_quantity(context.tokens, prep.word.i) is not None
+    return prep.fronted and prep.value == "ahead" and (comes or far)
 
 
 def _then(who: Mention, events: list[Event], context: Context) -> list[Prep]:

@@ -183,6 +183,10 @@ def each_of(chunks: list[Chunk]) -> list[Chunk]:
             kind, head = roads[-1].kind, roads[-1].head  # "five arms, cars wait on each (of them)"
             chunk = Place(chunk.i, chunk.j, mention.mods, head, kind=kind)  # noqa: PLW2901
         part, word = chunk_at(found, len(found) - 2), value_at(found, len(found) - 1)
+        there = value_at(found, len(found) - 3) == "in"  # "wait at the signs on all arms"
+        if on and not there and isinstance(chunk, Place) and _stands_everywhere(part, chunk):
+            del found[-1]
+            continue
         if isinstance(chunk, Place) and isinstance(part, Mention):
             every = chunk.has("quant", "all") and chunk.kind == "side"
             if part.pronoun in {"one", "all", "both"} and word == "of":
@@ -197,6 +201,14 @@ def each_of(chunks: list[Chunk]) -> list[Chunk]:
         _of_them(chunk, found)
         found.append(chunk)
     return found
+
+
+def _stands_everywhere(noun: Chunk, where: Place) -> bool:
+    """``with stop signs on all arms``, ``has a light at every leg``: no vehicle comes from each."""
+    if not isinstance(noun, Place) or noun.head is None or not where.has("quant", "all"):
+        return False
+    built = noun.kind == "crosswalk" or "control" in noun.head.data
+    return built and where.kind in _EVERYWHERE
 
 
 def sides_of(events: list[Event], chunks: list[Chunk]) -> dict[int, int]:

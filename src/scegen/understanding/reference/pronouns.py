@@ -122,7 +122,8 @@ def _single(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Ent
     people = [e for e in left if word == "it" and _person(roster, e) and e.kind not in ANIMALS]
     left = [e for e in left if not (e in people or e.still)] or left  # "a man stops the ego; …"
     other = _new_person(roster, mention) if word in {"he", "she"} and not left else []
-    return [e for e in options if e not in exclude] or left[:1] or other  # "she brakes, he …"
+    found = [e for e in options if e not in exclude] or left[:1] or other  # "she brakes, he …"
+    return found or [e for e in subject if drives and roster.entities == [e]]  # nobody else drives
 
 
 def _persons(
