@@ -116,8 +116,6 @@ def lanes_of(entity: Entity, junction: Junction) -> frozenset[int]:
         return frozenset()
     if name == "middle":
         return frozenset({count // 2 + 1}) if count >= _FEWEST_WITH_A_MIDDLE else frozenset()
-    if name in {"fast", "slow"}:
-        return frozenset({1 if name == "fast" else count})
     if name.isdigit():
         return frozenset({int(name)}) if int(name) <= count else frozenset()
     inner = "right" if junction.driving_side is DrivingSide.LEFT else "left"

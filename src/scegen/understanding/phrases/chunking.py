@@ -264,6 +264,9 @@ class Chunker:
 
     def _thing(self, mods: list[Term], head: Term, m: int, owner: Mention | None) -> int:
         start = mods[0].i if mods else head.i
+        counted = head.value == "lane" and bool(mods) and mods[-1].cat == "num"
+        if counted and (road := self._term(m + 1)).cat == "place":  # "a three-lane motorway"
+            return self._thing([*mods, head], road, m + 1, owner)
         if head.cat in {"place", "leg"}:
             last = m + numbered(head, m + 1, self._terms, self._tokens)
             place = Place(start, self._terms[last].j, mods, head, owner, kind=head.value)

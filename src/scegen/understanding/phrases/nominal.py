@@ -76,7 +76,8 @@ def ego_owns(heads: list[Term], following: Term) -> bool:
     if (following.cat, following.form) == ("dir", "base") and following.value in ENDS:
         return heads[-1].form != "s"
     own = any(h.data.get("ego") for h in heads)
-    return own and following.cat == "place" and following.value in _OWNED
+    named = "ranked" in following.data  # "ego middle lane, van left lane"
+    return own and following.cat == "place" and following.value in _OWNED and not named
 
 
 def governed(chunks: list[Chunk]) -> bool:

@@ -94,13 +94,34 @@ def _from_titles(chunks: list[Chunk]) -> list[Chunk]:
     done = 0
     for begin, k in _headings(chunks):
         place = _titled(chunks[begin:k])
-        if place is not None and isinstance(chunk_at(chunks, k + 1), Mention):
+        if (entry := _lane_entry(chunks[begin:k], chunks, k)) is not None:
+            found += [*chunks[done:begin], *entry]
+            done = chunks.index(entry[-1]) + 1 if entry[-1] in chunks else k + 2
+        elif place is not None and isinstance(chunk_at(chunks, k + 1), Mention):
             word = "in" if place.kind == "lane" else "from"
             road = chunks[begin + 1 : k] if place.kind == "access" else []
             preposed = Term("prep", word, place.i, place.i)
             found += [*chunks[done:begin], preposed, place, *road]
             done = k + 1
     return [*found, *chunks[done:]]
+
+
+def _lane_entry(title: list[Chunk], chunks: list[Chunk], k: int) -> list[Chunk] | None:
+    """``Ego lane: left``, ``Lane of the van: lane 2``: in that one."""
+    lanes = [c for c in title if isinstance(c, Place) and c.kind == "lane"]
+    who = [c for c in title if isinstance(c, Mention)]
+    told = chunk_at(chunks, k + 1 + (value_at(chunks, k + 1) == "in"))
+    if len(title) > 1 + len(lanes) + len(who) or (len(lanes), len(who)) != (1, 1):
+        return None
+    which = told.mods if isinstance(told, Event) else [told] if isinstance(told, Term) else []
+    if {m.value for m in which} & {"left", "right"}:
+        told = Place(told.i, told.j, which, None, kind="lane")
+    elif isinstance(told, Mention) and told.mod("num"):
+        told = Place(told.i, told.j, [], lanes[0].head, kind="lane")
+    if not isinstance(told, Place) or told.kind != "lane":
+        return None
+    who[0].possessor = False
+    return [who[0], Term("prep", "in", told.i, told.i), told]
 
 
 def _in_lanes(chunks: list[Chunk]) -> list[Chunk]:

@@ -30,7 +30,10 @@ def settle_sides(terms: list[Term], side: DrivingSide | None) -> list[Term]:
             found.append(Term("prep", "from", t.i, t.i))
         if t.cat == "dir" and t.value in _OTHER and _of_somebody(terms, k):
             found += [Term("prep", "to", t.i, t.i), Term("det", "def", t.i, t.i)]
-        found.append(replace(t, value=values[t.value], form="base") if near_or_far else t)
+        if (ranked := t.data.get("dir")) in values:  # "the fast lane"
+            found.append(replace(t, data={**t.data, "dir": values[ranked]}))
+        else:
+            found.append(replace(t, value=values[t.value], form="base") if near_or_far else t)
     return found
 
 
