@@ -4,7 +4,7 @@ The grid crosses ways to tell of a number with whose it is and the situation; th
 known by construction.
 """
 
-from itertools import count
+from itertools import count, product
 from pathlib import Path
 
 import pytest
@@ -140,6 +140,13 @@ def _strays(text, wanted, other, third):
     return lost, [f for f in found if f not in used]
 
 
+def _numbers(text):
+    """What is told of those who take part, by field."""
+    fields = {field for named in FIELDS.values() for field in named}
+    own = fields - {"visual_range_m", "radius_m", "friction", "speed_limit_mps"}
+    return sorted(f[:3] for f in _values(read(text), None) if f[0] in own)
+
+
 @pytest.fixture(scope="module")
 def landed():
     return [(_lands(*cell), cell[1]) for cell in _cells()]
@@ -152,6 +159,16 @@ def test_every_number_is_in_its_field_or_reported(landed):
 def test_of_several_numbers_each_is_in_its_field_and_nowhere_else():
     strays = {text: _strays(text, *rest) for text, *rest in _several()}
     assert {text: found for text, found in strays.items() if found != ([], [])} == {}
+
+
+def test_what_is_said_of_something_else_is_nobodys():
+    other = GRID["elsewhere"]
+    texts = {t: [f"{t} {form}" for form in other["sentences"]] for t in other["told"]}
+    for told, phrase in product(other["in"], other["phrases"]):
+        texts.setdefault(told.format(""), []).append(told.format(f" {phrase}"))
+    base = {told: _numbers(told) for told in texts}
+    strays = [t for told, every in texts.items() for t in every if _numbers(t) != base[told]]
+    assert strays == []
 
 
 def test_nearly_every_number_is_in_its_field(landed):

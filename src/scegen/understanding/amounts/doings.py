@@ -103,12 +103,12 @@ def _give(doing: Doing, figure: Figure, name: str) -> bool:
 def _lasting(figure: Figure, field: str, kinds: frozenset[ActKind]) -> Doing | None:
     """The act that takes so long: that of its verb, that a noun names, or what one does there."""
     event = figure.verb
-    if event is None:
-        return _act(figure, field, kinds)
+    if event is None:  # not "the driver is distracted for 2 s"
+        return None if figure.words_around.preceded("for") else _act(figure, field, kinds)
     text, scenes = figure.text, figure.text.scenes
     near = {e.i for e in (event, *event.children, *([event.parent] if event.parent else []))}
     here = text.acts(figure.start, figure.end, kinds)
-    own = [a for a in here if near & a.places]
+    own = [a for a in text.acts(0, figure.end, kinds) if near & a.places]
     noun = next((e for e in (event, event.parent) if e is not None and e.nominal), None)
     if not own and noun is not None:  # "the lane change takes 5 s", "lasts 5 s"
         own = text.acts(0, len(text.tokens), {*kinds} & {frames().get(noun.name)})

@@ -14,6 +14,7 @@ from scegen.understanding.amounts.acting import read_acts
 from scegen.understanding.amounts.as_fast import as_fast, kept_apart
 from scegen.understanding.amounts.aside import off_its_lane
 from scegen.understanding.amounts.doings import comes_to, fill, made, rests, until_the_next
+from scegen.understanding.amounts.elsewhere import INSTEAD, of_something_else
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.items import read_items, sized
 from scegen.understanding.amounts.letting_by import go_on
@@ -62,7 +63,9 @@ def read_amounts(
 
 def _place(figures: list[Figure]) -> None:
     for figure in figures:
-        if not place(figure):
+        if of_something_else(figure):
+            figure.note(INSTEAD)
+        elif not place(figure):
             figure.note()
 
 
