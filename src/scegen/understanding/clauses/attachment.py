@@ -97,7 +97,8 @@ def attach(prep: Prep, state: State) -> None:
 def _of_another_noun(prep: Prep, state: State) -> bool:
     """``moves to the right lane, and the road in front of the ego is free``: nobody is there."""
     before = next((c for c in reversed(state.chunks) if c.j <= prep.word.i), None)
-    return "conj" in state.between and isinstance(before, Place) and before.prep is None
+    parted = not {"conj", ","}.isdisjoint(state.between)
+    return parted and isinstance(before, Place) and before.prep is None
 
 
 def _noun(prep: Prep, state: State) -> Mention | None:

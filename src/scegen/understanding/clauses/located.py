@@ -182,8 +182,8 @@ def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
     owned = chunk_at(chunks, m + 1)
     sided = isinstance(target, Mention) and target.possessor and isinstance(owned, Place)
     if not placed and not (locus and isinstance(target, Mention | Thing)) and not sided:
-        return None  # "from the ego's left a van comes"
-    m += 1
+        return None
+    m += 1 + bool(sided)  # "from the ego's left a van comes"
     parked = chunk_at(chunks, m)
     m += isinstance(parked, Event) and (parked.name, parked.form) in RESTING
     while value_at(chunks, m) == "of" and isinstance(chunk_at(chunks, m + 1), Mention | Place):

@@ -234,7 +234,9 @@ def read_noun(noun: NounPhrase, state: State) -> None:
         of_whom = state.at(1).value == "of" and isinstance(state.at(2), Mention)
         part = of_one and (whole.owner is not None or of_whom)
         first = state.candidate is None and not (state.events and "," in state.between)
-        state.topic = noun if first or part or "sub" in state.between else None
+        # "the ego brakes, a hedge hides the child"
+        anew = isinstance(noun, Thing) and noun.has("det", "indef") and state.at(-1).value == ","
+        state.topic = noun if first or part or anew or "sub" in state.between else None
     if (prep := state.prep) is not None:
         owned = noun.owner is not None or noun.has("possessive")
         if prep.value == "of" and state.topic is not None and owned:

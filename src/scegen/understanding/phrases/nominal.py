@@ -22,7 +22,8 @@ def is_nominal(mods: list[Term], head: Term, following: Term, chunks: list[Chunk
         return False
     previous = chunks[-1] if chunks else None
     owned = ["dir"] if isinstance(previous, Mention) and previous.possessor else []
-    if head.form == "s" and [m.cat for m in mods] in (["possessive", "dir"], owned):
+    sided = [m.cat for m in mods] in (["possessive", "dir"], owned)
+    if sided and head.form in {"s", "ing"}:
         return False  # "the van to the ego's right creeps forward", "the VUT front strikes it"
     counted = [m.value for m in mods if m.cat != "manner"][-1:]
     if counted in (["both"], ["all"]):

@@ -141,7 +141,8 @@ def _course(
     """``against the direction from which the ego came``: its end, and a word of manner for it."""
     ways = word_lists("ways")
     verb = next((c for c in reversed(before) if isinstance(c, Event)), None)
-    if verb is None or verb.name not in _WALKING:
+    whence = value_at(before, len(before) - 1) == "from"  # "from the other direction a van comes"
+    if verb is None or verb.name not in _WALKING or whence:
         return None
     m, against = k, False
     word = chunks[k]

@@ -187,7 +187,7 @@ def _not_inflected(match: Match) -> Match:
 
 def _relates(match: Match, tokens: list[Token], previous: Term) -> bool:
     """``a bus that turns``, ``a bus from the right that turns``."""
-    if previous.cat in {"actor", "place", "thing", "inert"}:
+    if previous.cat in {"actor", "place", "leg", "thing", "inert"}:
         return True
     after = longest_match(tokens, match.j)
     # "a car ahead that stops", "ahead of it that stops"
