@@ -14,7 +14,7 @@ from scegen.scenario.model import Interval
 from scegen.understanding import read
 
 GRID = yaml.safe_load((Path(__file__).parent / "number_grid.yaml").read_text("utf-8"))
-REACHED = 0.93
+REACHED = 0.98
 KINDS = ("van", "truck", "car", "motorcycle", "bus")
 WALKERS = ("pedestrian", "child", "cyclist")
 FIELDS = {

@@ -9,7 +9,7 @@ from scegen.understanding.amounts.figures import Figure, has_a_size
 from scegen.understanding.amounts.items import item_of, kind_of
 from scegen.understanding.amounts.pairs import before_they_meet, tell_order, two_between
 from scegen.understanding.amounts.telling import Telling
-from scegen.understanding.amounts.timing import endless, since_green, told_in
+from scegen.understanding.amounts.timing import act_of, endless, since_green, told_in
 from scegen.understanding.chunks import Mention, Place, Thing
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import STILL, Amount, Doing, Since, Trigger, name_them
@@ -112,9 +112,10 @@ def _before_a_thing(figure: Figure, thing: Thing, clause: tuple[int, int, str] |
 
 def driven(figure: Figure) -> bool:
     """``after 250 m``, ``the ego has driven 600 m when the van slows``: what sets it off."""
-    acts = figure.text.found.acts
-    doing = next((a for a in acts if a.when is None and a.i > figure.i), None)
-    if doing is None:
+    later = (a for a in figure.text.found.acts if a.i > figure.i and a.when is None)
+    moves = figure.does == "move" and figure.clause is None  # "drives 200 m and then brakes"
+    doing = (None if moves else act_of(figure)) or next(later, None)
+    if doing is None or doing.when is not None:
         return False
     who = next((e for e in figure.actors if e.is_vehicle), doing.entity)
     moved = who if who is not doing.entity else None

@@ -238,9 +238,9 @@ def _of_the_noun(figure: Figure) -> list[Entity]:
     Who waits has no speed, and who sets off has none yet.
     """
     text, verb, end = figure.text, figure.verb, figure.i - 1
-    who = next((m for m in reversed(text.mentions) if m.j < figure.i), None)
-    if who is None or who.possessor or who.i < figure.start:
-        return []
+    who = next((m for m in reversed(text.mentions) if m.i <= figure.i), None)
+    if who is None or who.possessor or who.i < figure.start or who.j >= figure.i:
+        return []  # "a 60 km/h truck": its own
     if _before_any_verb(figure, who):
         return list(figure.placed_by(who).entities)
     passed = verb is not None and verb.object is who  # "overtakes both at 120 km/h"

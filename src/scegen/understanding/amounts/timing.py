@@ -53,7 +53,7 @@ _ENDING = frozenset({"target_speed_mps", "duration_s", "distance_m"})
 def delayed(figure: Figure) -> bool:
     """``after 3 s``, ``2 s later``, ``1 s after the van has cut in``."""
     since = _since(figure)
-    doing = likewise(figure, ANY) or _act(figure) or _comes_in(figure)
+    doing = likewise(figure, ANY) or act_of(figure) or _comes_in(figure)
     if doing is None or doing.when is not None:
         return False
     base, at = _base(figure, doing)
@@ -86,7 +86,7 @@ def at_green(figure: Figure) -> bool:
     ends = [k for k in range(j, figure.end) if text.tokens[k].low in {",", "and"}]
     if " green " not in text.low(j, min([*ends[:1], j + _GREEN_REACH, figure.end])):
         return False
-    doing = _act(figure)
+    doing = act_of(figure)
     who = [doing.entity] if doing is not None else figure.subject
     waits = _waiting(text)
     for entity in ([e for e in waits if e in who] if who else waits)[:1]:
@@ -171,7 +171,7 @@ def endless(doing: Doing, text: Telling) -> bool:
     return doing.kind in CHANGING and not over
 
 
-def _act(figure: Figure) -> Doing | None:
+def act_of(figure: Figure) -> Doing | None:
     """The act that is delayed: the one before the time in its clause, else the next."""
     text, i = figure.text, figure.i
     here = told_in(text, figure.start, figure.end)
