@@ -155,7 +155,10 @@ def _from_acts(story: Story, count: int) -> Iterator[Wish]:
                 weight = LIKELY if inwards else SAID
                 yield Wish((name, *whom), weight, _room(step, count), words)
             continue
-        if act.kind is not ActKind.CHANGE_LANE or name not in runners or name in passing:
+        # Who swerves inwards may do so into the lane of the oncoming, who swerves outwards not.
+        swerves = act.kind is ActKind.SWERVE and step == 1 and act.lateral_m is None
+        changes = act.kind is ActKind.CHANGE_LANE or swerves
+        if not changes or name not in runners or name in passing:
             continue
         into = runners.get(act.into or "")
         if into is not None and into.forward != runners[name].forward:

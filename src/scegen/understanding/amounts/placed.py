@@ -180,7 +180,7 @@ def moment(figure: Figure, measure: Measure, one: Entity, other: Entity) -> Doin
         or [a for a in acts if comes and a.i > figure.i]  # "gets to within 20 m and brakes"
         or [a for a in acts if a.kind in _INTO and told & a.places]
         or [a for a in acts if _in_trigger(a, figure)]
-        or _revealed_by(figure, one, other)
+        or _as_another(figure, one, other)
         or [a for a in _opens_with(figure, acts) if _goes_in(a)]
     )
     if into:
@@ -267,15 +267,15 @@ def since(text: Telling, at: Doing | str, one: Entity, other: Entity) -> Since:
     return "end" if over or at.entity not in (one, other) else "begin"
 
 
-def _revealed_by(figure: Figure, one: Entity, other: Entity) -> list[Doing]:
-    """``the car ahead changes lanes and reveals a truck 60 m ahead``: as it has done so."""
+def _as_another(figure: Figure, one: Entity, other: Entity) -> list[Doing]:
+    """``steps out from behind a van 20 m ahead``, ``swerves to avoid a truck 30 m ahead``: then.
+
+    So it is with ``the car ahead changes lanes and reveals a truck 60 m ahead``.
+    """
     if not (one.still or other.still) or not (one.ego or other.ego):
         return []
     text = figure.text
-    ahead = [
-        a
-        for a in text.acts(0, figure.end, {ActKind.CHANGE_LANE})
-        if a.entity not in (one, other) and a.into is None
-        if text.context.placed(a.entity, Approach.AHEAD)
-    ]
-    return ahead if len(ahead) == 1 and ahead[0].when is None else []
+    others = [a for a in text.acts(0, figure.i, _INTO) if a.entity not in (one, other)]
+    left = [a for a in others if a.kind is ActKind.CHANGE_LANE and a.into is None and not a.when]
+    left = [a for a in left if text.context.placed(a.entity, Approach.AHEAD)]
+    return [a for a in others if a.i >= figure.start][-1:] or (left if len(left) == 1 else [])
