@@ -35,7 +35,16 @@ def is_said_ahead(
         if ahead is not None:
             return ahead == (act.participant == who)
     before = _are_still_in_line(functional, act, since, {who, other})
-    return _by_words(functional, who, other) if before else None
+    return is_ahead_at_first(functional, who, other) if before else None
+
+
+def is_ahead_at_first(functional: FunctionalScenario, who: str, other: str) -> bool | None:
+    """Whether one is said to be ahead of another at the start."""
+    for name, reference, ahead in ((who, other, True), (other, who, False)):
+        words = words_between(functional, name, reference) & {Approach.AHEAD, Approach.BEHIND}
+        if len(words) == 1:
+            return (Approach.AHEAD in words) is ahead
+    return None
 
 
 def unconcerned(
@@ -52,7 +61,7 @@ def unconcerned(
         a.participant for a in functional.acts if a.kind is ActKind.CHANGE_LANE and a.into in by
     ]
     others = (p.id for p in functional.participants)
-    ahead = (o for o in others if any(_by_words(functional, o, name) for name in by))
+    ahead = (o for o in others if any(is_ahead_at_first(functional, o, name) for name in by))
     return (*by, *comes, *ahead)
 
 
@@ -110,12 +119,3 @@ def _are_still_in_line(functional: FunctionalScenario, act: Act, since: str, two
              for acts in (functional.acts[:number], functional.acts[number:])]  # fmt: skip
     strays = {p.id for p in functional.participants if p.id in two and p.maneuvers - _IN_LINE}
     return not two & aside[0] and strays <= aside[1]
-
-
-def _by_words(functional: FunctionalScenario, who: str, other: str) -> bool | None:
-    """Whether one is said to be ahead of another at the start."""
-    for name, reference, ahead in ((who, other, True), (other, who, False)):
-        words = words_between(functional, name, reference) & {Approach.AHEAD, Approach.BEHIND}
-        if len(words) == 1:
-            return (Approach.AHEAD in words) is ahead
-    return None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import permutations
 
 from scegen.concretization.along.acts import all_acts
 from scegen.concretization.along.frame import RAMP_MPS
@@ -18,7 +19,7 @@ from scegen.concretization.things import lying_in_the_way, shape_of
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import SLOWING, Act, ActKind, AfterStart, WhenMeasure
 from scegen.scenario.functional import FunctionalScenario, Participant
-from scegen.scenario.in_line import is_said_ahead
+from scegen.scenario.in_line import is_ahead_at_first, is_said_ahead
 from scegen.scenario.logical import (
     Crossing,
     Drive,
@@ -28,6 +29,7 @@ from scegen.scenario.logical import (
     Walking,
 )
 from scegen.scenario.model import Interval
+from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.roadway import AuxiliaryLane
 from scegen.scenario.spacings import START, Measure, Spacing
 from scegen.scenario.vocabulary import ON_FOOT, HazardKind, Maneuver, ParticipantKind, Side
@@ -107,7 +109,10 @@ def _speeds(story: Story) -> None:
 
 
 def _closing(functional: FunctionalScenario) -> Iterator[tuple[str, str]]:
-    """Who is said to be so many seconds from a collision with whom, unless that one slows first."""
+    """Who is said to be so many seconds from a collision with whom, unless that one slows first.
+
+    So it is with who touches another that is ahead of it.
+    """
     slowing: set[str] = set()
     for at, act in ((START, None), *((a.id, a) for a in functional.acts)):
         told: list[Spacing | WhenMeasure] = [s for s in functional.spacings if s.at == at]
@@ -120,6 +125,11 @@ def _closing(functional: FunctionalScenario) -> Iterator[tuple[str, str]]:
                 yield back, front
         if act is not None and act.kind in SLOWING:
             slowing.add(act.participant)
+    outcome = functional.outcome
+    touch = outcome.between if outcome and outcome.kind is OutcomeKind.COLLISION else ()
+    for back, front in permutations(touch, 2):
+        if is_ahead_at_first(functional, front, back) and front not in slowing:
+            yield back, front
 
 
 def _begins_with(story: Story, name: str, kind: ActKind) -> Act | None:
