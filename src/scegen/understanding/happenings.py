@@ -129,6 +129,7 @@ class Item:
     blocked: Entity | None = None
     hides: list[Entity] = field(default_factory=list)
     side: Side | None = None
+    side_basis: Basis | None = None
     sizes: dict[str, Amount] = field(default_factory=dict)
     name: str = ""
 

@@ -37,6 +37,8 @@ from scegen.scenario.vocabulary import ON_FOOT, HazardKind, Maneuver, Participan
 _STANDS_MPS = 1.0
 _EDGE_M = 1.5
 """Who walks along the side of the road keeps so far from the middle of its outermost lane."""
+_IN_THE_WAY_M = 0.4
+"""So far what lies at the edge of a lane reaches into the way of who drives there."""
 _PASSES_BY_MPS = 6.0
 """By so much one who overtakes is faster, where no speeds are said."""
 
@@ -192,9 +194,21 @@ def story_of(functional: FunctionalScenario, logical: LogicalScenario) -> Story:
     put_on_strips(story)
     hang_doors(story)
     for thing in story.things.values():
-        story.runners[thing.id].lane = story.runners[thing.in_way_of or ""].lane
+        _lay_aside(story, story.runners[thing.id], story.runners[thing.in_way_of or ""])
     _keep_on_the_road(story)
     return story
+
+
+def _lay_aside(story: Story, thing: Runner, driver: Runner) -> None:
+    """Into somebody's lane; on the side that is said, as far out as it is in the way there."""
+    thing.lane, side = driver.lane, story.things[thing.id].side
+    if side is None:
+        return
+    edge_m = (thing.lane_width_m - thing.body.width_m) / 2
+    reached_m = (driver.body.width_m + thing.body.width_m) / 2 - _IN_THE_WAY_M
+    out_m = max(0.0, min(edge_m, reached_m))
+    to_left = (side is Side.LEFT) == (thing.forward is story.ego.forward)
+    thing.offset_m = driver.offset_m + (out_m if to_left else -out_m)
 
 
 def _keep_on_the_road(story: Story) -> None:

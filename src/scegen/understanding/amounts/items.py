@@ -114,9 +114,9 @@ def item_of(thing: Thing, text: Telling) -> Item:
     called = " ".join([*(t.low for t in words[:-1]), *(t.forms[-1][0] for t in words[-1:])])
     item = Item(ThingKind(kind_of(thing)), called, Basis(thing.i, thing.j))
     places = [c for c in text.chunks if isinstance(c, Place) and 0 <= c.i - thing.j <= _NEAR]
-    after = [d for c in places if c.kind in {"side", "sidewalk"} for d in c.dirs]
-    sides = (Side(d) for d in (*thing.dirs, *after) if d in _SIDES)
-    item.side = next(sides, None)
+    beside = [thing, *(c for c in places if c.kind in {"side", "sidewalk"})]
+    sides = ((Side(d), Basis(c.i, c.j)) for c in beside for d in c.dirs if d in _SIDES)
+    item.side, item.side_basis = next(sides, (None, None))
     return item
 
 

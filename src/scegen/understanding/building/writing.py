@@ -120,6 +120,8 @@ class Writer:
         found = []
         for item in self.happenings.items:
             self.proofs.add(f"objects.{item.name}.kind", item.basis)
+            if item.side_basis is not None:
+                self.proofs.add(f"objects.{item.name}.side", item.side_basis)
             for name, amount in item.sizes.items():
                 self.proofs.add(f"objects.{item.name}.{name}", amount.basis)
             found.append(
