@@ -155,7 +155,8 @@ def _proof_lines(proof: Proof, functional: FunctionalScenario | None) -> Iterato
     values = "" if measure is None else f" ({measure.in_words})"
     pair = " and ".join(proof.pair)
     if proof.in_band:
-        yield f"{proof.target} of {pair}: {proof.measure}{values}"
+        about = f"{pair}: {proof.measure}{values}" if pair else "ego: nobody else is on the road"
+        yield f"{proof.target} of {about}"
     elif not pair:
         yield f"TARGET NOT REACHED: {proof.target}: {proof.blocked_by or 'there is no pair'}"
     else:

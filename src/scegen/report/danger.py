@@ -37,6 +37,8 @@ def danger_tables(proof: Proof | None) -> list[Table]:
 def target_words(proof: Proof) -> str:
     """The target, between whom, and whether it is reached, with the value that decides."""
     measure = proof.of(proof.measure)
+    if not proof.pair and proof.in_band:
+        return f"{proof.target}: nobody else is on the road"
     found = "" if measure is None else f" {_value(measure.after, measure.unit)}"
     name = _MEASURES.get(proof.measure or "", proof.measure)
     outcome = f"{name}{found}" if proof.in_band else f"not reached, {name}{found}"

@@ -20,7 +20,7 @@ from scegen.criticality.search.pairs import candidate_pairs
 from scegen.criticality.search.problem import SEARCH_DT_S, Problem
 from scegen.criticality.search.proving import PROOF_DT_S, Evidence
 from scegen.criticality.search.rebuild import rebuilt
-from scegen.criticality.target import NEAR_MISS, Target, parse_target
+from scegen.criticality.target import AVOIDED, NEAR_MISS, Target, parse_target
 from scegen.errors import InputError
 from scegen.motion.trigger_steps import put_between_steps
 from scegen.road import build_network
@@ -84,6 +84,8 @@ def raise_criticality(
     stage, before = _aimed(functional, concrete, network, wanted)
     rng = np.random.Generator(np.random.PCG64(seed))
     reason = too_fast(functional) or stage.blocked or too_slow(concrete, stage.pair)
+    if not stage.pair and wanted.text == AVOIDED and stage.stands(before):  # nobody else is there
+        return Raised(concrete, stage.proof(before, before, 1, None))
     touch = wanted.contact is True and bool(stage.pair) and stage.stands(before)
     if reason is not None and stage.pair and reason == stage.blocked and not wanted.contact:
         return _without_target(stage, stage.problem(), before, rng, reason)

@@ -17,7 +17,7 @@ from scegen.claims.statements.dangers import claim_id
 from scegen.claims.view import View, view_of
 from scegen.claims.ways import paths_of, ways_of
 from scegen.criticality.search.problem import PROVED, choice_missing, follows_from, target_missing
-from scegen.criticality.target import Target
+from scegen.criticality.target import AVOIDED, Target
 from scegen.motion.batch.compilation import compile_program
 from scegen.motion.batch.simulation import simulate_batch
 from scegen.motion.trigger_steps import STEP_S
@@ -121,14 +121,15 @@ def proof_of(
     blocked_by: str | None,
 ) -> Proof:
     """The proof of one search, for files; without a pair that of dangers and claims alone."""
+    settled = bool(pair) or target.text == AVOIDED  # one who is alone touches nobody
     deciding = None if target.contact or not pair else _deciding(after.view, target, pair)
     measure = "contact_time" if target.contact else "distance"
     if deciding is not None:
         measure = deciding.measure
     return Proof(
         target=target.text,
-        in_band=bool(pair) and after.meets(target, pair),
-        in_band_before=bool(pair) and before.meets(target, pair),
+        in_band=settled and after.meets(target, pair),
+        in_band_before=settled and before.meets(target, pair),
         measure=measure if pair else None,
         band=None if deciding is None else (deciding.low, deciding.high),
         pair=pair,
