@@ -93,17 +93,20 @@ def _in_the_same_lane(entity: Entity, ego: Entity, *, passed: bool) -> None:
 
 
 def _into_the_lane(entity: Entity, ego: Entity, happenings: Happenings) -> None:
-    """``ahead in the middle lane … changes into the lane of the ego``: until then beside it."""
-    if entity.start_lane is None or entity.approaches != {Approach.AHEAD}:
+    """``the car ahead cuts in``, ``ahead in the middle lane … changes into the lane of the ego``.
+
+    Until then it is beside that lane.
+    """
+    along = entity.approaches
+    if along not in ({Approach.AHEAD}, {Approach.BEHIND}):
         return
-    for doing in happenings.acts:
-        if doing.entity is entity and doing.into is ego and doing.kind is ActKind.CHANGE_LANE:
-            side = {Approach(doing.side.opposite.value)} if doing.side is not None else set()
-            basis = (entity.approach_basis or entity.basis).because(
-                "who comes into the ego's lane is beside it"
-            )
-            entity.comes_from({Approach.ADJACENT, *side}, basis)
-            return
+    first = next((a for a in happenings.acts if a.entity is entity and a.kind in _ASIDE), None)
+    if first is not None and first.into is ego and first.kind is ActKind.CHANGE_LANE:
+        side = {Approach(first.side.opposite.value)} if first.side is not None else set()
+        words = entity.approach_basis or entity.basis
+        entity.in_next_lane = entity.in_next_lane or (along, words)
+        because = words.because("who comes into the ego's lane is beside it")
+        entity.comes_from({Approach.ADJACENT, *side}, because)
 
 
 def lanes_of(entity: Entity, junction: Junction) -> frozenset[int]:
