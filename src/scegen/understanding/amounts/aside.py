@@ -172,7 +172,9 @@ def _homewards(doing: Doing, returns: bool, context: Context) -> None:
     passes = Maneuver.OVERTAKE in entity.maneuvers
     back = passes and (returns or (doing.into is not None and doing.into.ego))
     across = Side(context.across)
-    if doing.kind is ActKind.CHANGE_LANE and context.oncoming(entity) and not (passes and returns):
+    strays = entity in context.draft.causing(HazardKind.ONCOMING_LANE)
+    strays &= context.oncoming(entity) and not (passes and returns)
+    if strays and doing.kind is ActKind.CHANGE_LANE:
         doing.into, doing.into_basis = doing.into or context.draft.ego, doing.into_basis or words
         if doing.side is None:
             reason = "who comes from the front crosses the middle of the road"
