@@ -6,11 +6,20 @@ from collections.abc import Iterator
 
 from scegen.concretization.along.story import Story
 from scegen.concretization.amounts import implied, spelled_out
-from scegen.scenario.acts import GAINING, LEAVING, SLOWING, Act, ActKind, AfterAct
+from scegen.scenario.acts import (
+    GAINING,
+    LEAVING,
+    SLOWING,
+    Act,
+    ActKind,
+    AfterAct,
+    WhenMeasure,
+)
 from scegen.scenario.functional import Hazard
 from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
 from scegen.scenario.logical import Drive
 from scegen.scenario.model import Interval
+from scegen.scenario.spacings import LENGTHWISE, START
 from scegen.scenario.vocabulary import ON_FOOT, HazardKind, Maneuver
 
 ROLLS_S = 2.0
@@ -22,7 +31,7 @@ _OF_THE_DRIVER = frozenset({HazardKind.DELAYED_BRAKING})
 
 def all_acts(story: Story) -> list[Act]:
     """The acts of those along the road; implied ones come after those that are said."""
-    told = spelled_out(story.functional.acts, story.runners)
+    told = [_when_so_near(story, a) for a in spelled_out(story.functional.acts, story.runners)]
     # Where there is no junction, one who turns swerves.
     turned = {"kind": ActKind.SWERVE}
     own = (act for act in told if act.participant in story.runners)
@@ -46,6 +55,21 @@ def all_acts(story: Story) -> list[Act]:
     acts = [a.model_copy(update={"side": sides.get(a.participant)}) if a.id in unsaid else a
             for a in acts]  # fmt: skip
     return list(_from_rest(acts))
+
+
+def _when_so_near(story: Story, act: Act) -> Act:
+    """``30 m ahead … brakes at a headway of 1.2 s``: what is told of two places is when it begins.
+
+    Where one spacing alone is told, the start follows from it.
+    """
+    spacings = [s for s in story.functional.spacings if s.measure in LENGTHWISE]
+    tied = {frozenset({s.participant, s.reference}) for s in spacings if s.at == START}
+    for one in spacings if act.when is None else ():
+        begins = one.at == act.id and one.since == "begin"
+        if begins and frozenset({one.participant, one.reference}) in tied:
+            told = {n: getattr(one, n) for n in ("measure", "participant", "reference", "value")}
+            return act.model_copy(update={"when": WhenMeasure(**told)})
+    return act
 
 
 def _out_of_its_bay(story: Story, name: str, acts: list[Act]) -> list[Act]:
