@@ -195,6 +195,7 @@ def _into(doing: Doing, scene: Clause, context: Context) -> None:
     near = [p for p in event.pps if p.word.cat == "locus" and p.value in _ALONG and not out]
     # "boxed in behind a van, it …", "so does the car behind it": where one is at first
     near = [p for p in near if not p.fronted and all(m.j != p.word.i for m in event.subject)]
+    near = [p for p in near if event.name == "cut_in" or not _is_there(doing.entity, p, context)]
     cuts = (d for d in context.draft.dangers if d.kind is HazardKind.CUT_IN)
     egos = [e for e in context.draft.entities if e.ego]
     cut = [e for d in cuts if doing.entity in d.by for e in d.to or egos]
@@ -203,6 +204,18 @@ def _into(doing: Doing, scene: Clause, context: Context) -> None:
         doing.into, doing.into_basis = named[0], Basis(event.i, event.j)
     if near and named and not context.junction.crossing and named[0].moving_vehicle:
         _beside_whom(doing, named[0], near[0], context)
+
+
+def _is_there(entity: Entity, phrase: Prep, context: Context) -> bool:
+    """``follows a truck and changes lanes 15 m behind it``: out of its lane, not into it."""
+    there = {Approach.AHEAD}
+    for other in (e for e in people([phrase]) if entity.ego is not e.ego):
+        ahead = entity if phrase.value == "ahead" else other
+        told = [p for p in context.draft.placements_of(ahead) if p.basis.i != phrase.word.i]
+        told = [] if ahead.start_lane else told  # "ahead in the middle lane"
+        if any(p.approaches == there and (not p.reference or p.reference.ego) for p in told):
+            return ahead is other or other.ego
+    return False
 
 
 def _beside_whom(doing: Doing, other: Entity, phrase: Prep, context: Context) -> None:
