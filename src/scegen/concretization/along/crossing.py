@@ -29,7 +29,7 @@ from scegen.concretization.walkers import (
 )
 from scegen.scenario.acts import LETS_BY, Act, ActKind, AfterStart, WhenMeasure
 from scegen.scenario.logical import Crossing
-from scegen.scenario.spacings import LENGTHWISE, START, Measure
+from scegen.scenario.spacings import LENGTHWISE, START, Measure, Spacing
 from scegen.scenario.vocabulary import Side
 
 _MEETS_S = 6.0
@@ -163,19 +163,28 @@ def _unbraked(story: Story, meets: Runner) -> Runner:
 
 
 def _spacing(story: Story, walk: Walk, other: str) -> _Told | None:
-    """The first that is told of the two: what sets it off, or makes it stop, before the rest."""
+    """The first that is told of the two: what sets it off, or makes it stop, before the rest.
+
+    So is how far the other is then from one who is parked before its line.
+    """
     for act in filter(None, (walk.act, walk.stop)):
-        when = act.when
-        if isinstance(when, WhenMeasure):
-            away = when.value.middle
-            for name in {when.participant, when.reference} & story.parked.keys():
-                if when.measure is Measure.GAP_M:  # its line lies beyond one who is parked
-                    away += story.parked[name].body.length_m + BEFORE_WALKER_M
-            return _Told(when.measure, away, act)
-    pair, own = {walk.id, other}, {a.id: a for a in (walk.act, walk.stop) if a is not None}
+        if isinstance(act.when, WhenMeasure):
+            return _Told(act.when.measure, _to_its_line(story, act.when), act)
+    own = {a.id: a for a in (walk.act, walk.stop) if a is not None}
     for said in story.functional.spacings:
-        along = {said.participant, said.reference} == pair and said.measure in LENGTHWISE
-        if along and (said.since == "begin" or said.at in own):
-            at_s = story.begins_s.get(said.at, 0.0)
-            return _Told(said.measure, said.value.middle, own.get(said.at), said.since, at_s)
+        (who,) = {said.participant, said.reference} - {other} or {other}
+        along = other in {said.participant, said.reference} and said.measure in LENGTHWISE
+        its = who == walk.id and said.since == "begin"
+        if along and (its or (said.at in own and who in {walk.id, *story.parked})):
+            at_s, away = story.begins_s.get(said.at, 0.0), _to_its_line(story, said)
+            return _Told(said.measure, away, own.get(said.at), said.since, at_s)
     return None
+
+
+def _to_its_line(story: Story, told: Spacing | WhenMeasure) -> float:
+    """What is told as it is to the line of who crosses, beyond one who is parked."""
+    away = told.value.middle
+    for name in {told.participant, told.reference} & story.parked.keys():
+        if told.measure is Measure.GAP_M:
+            away += story.parked[name].body.length_m + BEFORE_WALKER_M
+    return away
