@@ -56,6 +56,7 @@ def offset_all(story: Story) -> None:
             left = _left_m(story, spacing, *pair, NEVER_S if meet else 0.0)
             # With a lateral gap somebody passes the other in its lane.
             passes = spacing.measure is Measure.LATERAL_GAP_M and pair[0].lane == pair[1].lane
+            passes &= parked.isdisjoint({who, other})
             if left is not None and not (passes and passing & {who, other}):
                 later = meet or spacing.at == CONTACT or spacing.at in story.begins_s
                 aside = -left if turned else left
