@@ -8,7 +8,13 @@ from typing import Any, TypeAlias
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.signals import AtLight
-from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
+from scegen.scenario.vocabulary import (
+    Approach,
+    HazardKind,
+    JunctionKind,
+    Maneuver,
+    ParticipantKind,
+)
 from scegen.understanding.chunks import NounPhrase, Prep
 from scegen.understanding.draft import IMPLIED
 from scegen.understanding.entity import Basis, Entity
@@ -116,6 +122,17 @@ def _place(approaches: set[Approach], row: dict[str, Any], of: str, words: Words
         for entity, observer in product(whom(clause, context), seen_by):
             if "unsaid" not in row or observer is None or apart(entity, observer, context):
                 context.draft.place(entity, observer, set(approaches), basis)
+
+    return effect
+
+
+def _add(approach: Approach, words: Words) -> Effect:
+    """Another vehicle does it, whom the text does not name."""
+
+    def effect(clause: Clause, context: Context) -> None:
+        basis = words(clause, context).because("by whom is not said; a car does it")
+        clause.actors = [context.draft.add(ParticipantKind.CAR, basis)]
+        context.draft.place(clause.actors[0], None, {approach}, basis)
 
     return effect
 
@@ -246,6 +263,7 @@ EFFECTS: dict[str, Callable[[Any, dict[str, Any], str, Words], Effect]] = {
     "act": lambda _said, row, of, words: _act(row, of, words),
     "place": lambda said, row, of, words: _place(set(map(Approach, said.split())), row, of, words),
     "implies": lambda said, _row, _of, words: _imply(said, words),
+    "adds": lambda said, _row, _of, words: _add(Approach(said), words),
     "note": lambda said, _row, _of, words: (
         lambda clause, c: c.draft.note_at(words(clause, c), said)
     ),

@@ -12,6 +12,7 @@ follows. With ``also`` the next rows are asked as well. The keys:
 * ``lanes``, ``crossing``: why the road has lanes, a junction; ``implies``: what else is there;
 * ``act`` of ``of``: what they do, letting ``into`` go first; ``always``: also where nothing sets it
   off;
+* ``adds``: who does it is somebody unnamed, who comes from there, seen by the ego;
 * ``marks`` of ``of``; ``drop``: a danger that is none after all; ``unplace``; ``note``;
 * ``as``: another event; ``targets``, ``actors``: who is in it; ``rewrite``; ``rules_out``: ways;
 * ``then``: further families; ``words``, ``reason``: what it rests on.
