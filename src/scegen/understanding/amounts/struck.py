@@ -195,7 +195,9 @@ def settle(text: Telling) -> None:
     if overlaps:
         return
     other = ending.other
-    if other is not None and other.is_vehicle and other.kind is not ParticipantKind.BICYCLE:
+    across = other is not None and text.context.from_the_side(other)
+    in_file = other is not None and other.is_vehicle and other.kind is not ParticipantKind.BICYCLE
+    if other is not None and in_file and not across:
         high = ending.share or _HALF
         low = _LITTLE if ending.share is None else high - _LITTLE
         amount = Amount(Interval(low=low, high=high), basis)
