@@ -171,7 +171,8 @@ def _make_faster(story: Story, by: tuple[str, ...], to: tuple[str, ...]) -> None
     for fast in (story.runners[name] for name in by if name in story.runners):
         for slow in (story.runners[name] for name in to if name in story.runners):
             enough = 2.0 if story.has_said_speed(slow.id) else _PASSES_BY_MPS
-            if slow.forward != fast.forward or fast.speed_mps - slow.speed_mps >= enough:
+            near = slow.forward == fast.forward and fast.speed_mps - slow.speed_mps < enough
+            if not near or fast.stands:
                 continue
             if not story.has_said_speed(slow.id):
                 slow.speed_mps = max(0.6 * fast.speed_mps, fast.speed_mps - _PASSES_BY_MPS)
