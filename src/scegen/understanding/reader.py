@@ -72,6 +72,10 @@ _PUT_RIGHT: tuple[tuple[set[str], Callable[[list[Chunk], list[Token]], list[Chun
     ({"between"}, lambda chunks, _: in_between(chunks)),
     ({"num"}, list_them),
     ({":"}, lambda chunks, _: announce(chunks)),
+    (set(), lambda chunks, _: spell_out(chunks)),
+    (set(), lambda chunks, _: silence(chunks)),
+    (set(), repeat),
+    ({"door"}, open_doors),
 )
 """What puts chunks right one after the other, and words or classes of which a text
 needs one, if any are told."""
@@ -119,8 +123,6 @@ def read(text: str) -> FunctionalScenario:
     for words, put_right in _PUT_RIGHT:
         if not words or not there.isdisjoint(words):
             chunks = put_right(chunks, tokens)
-    chunks = spell_out(chunks)
-    chunks = open_doors(repeat(silence(chunks), tokens), tokens)
     events = fill_in(chunks, ClauseReader(chunks).run(), tokens)
     deny_of_everybody(events)
     answer(events, tokens)

@@ -207,7 +207,7 @@ def says_how(role: str) -> bool:
 def place(figure: Figure) -> bool:
     """Gives a number its place; whether it has one."""
     context = figure.text.context
-    for row in rows().asked(f"figures.{figure.role}", figure.event):
+    for row in rows().asked(f"figures.{figure.role}", figure, context):
         if all(test(figure, context) for test in row.tests):
             taken = [effect(figure, context) for effect in row.effects]
             if any(taken) or not row.also:

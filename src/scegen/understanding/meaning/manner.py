@@ -9,15 +9,15 @@ from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.meaning import placing
 from scegen.understanding.semantics.conditions import holds
-from scegen.understanding.semantics.context import Clause, Context, clause_of
+from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.marks import comes_to_rest, in_the_lane
 from scegen.understanding.semantics.met import into_rear
 from scegen.understanding.words.terms import Term
 
 
-def note_braking(events: list[Event], context: Context) -> None:
+def note_braking(clauses: list[Clause], context: Context) -> None:
     """``brakes hard; once it stands …``: it does not stand from the start."""
-    for clause in map(clause_of, events):
+    for clause in clauses:
         for entity in clause.drivers if holds("slows_now", clause, context) else []:
             at = clause.event.i if entity.brakes_from is None else entity.brakes_from
             entity.brakes_from = at
@@ -98,7 +98,8 @@ def told_with(clause: Clause, context: Context) -> None:
         elif (term.cat, term.value) == ("manner", "head_on"):
             _meet_head_on(term, clause, context)
     for term in event.mods if travels or not event.nominal else []:
-        slows = term.value == "slow" and (clause.reaction or not travels)  # "brakes slowly"
+        answers = not travels or holds("reaction", clause, context)
+        slows = term.value == "slow" and answers  # "brakes slowly"
         aside = term.value == "wrong_way" and any(p.names("sidewalk") for p in event.pps)
         if term.cat == "manner" and term.value in _BY_MANNER and not (slows or aside):
             told_by(term, clause.drivers, context)

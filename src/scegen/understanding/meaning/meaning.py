@@ -81,7 +81,7 @@ def interpret(chunks: list[Chunk], events: list[Event], context: Context) -> lis
     nouns = list(of_nouns.values())
     for clause in told:
         say("movements.sets_off", clause, context)
-    note_braking(events, context)
+    note_braking(told, context)
     for clause in (*nouns, *map(without_nouns, told)):
         say("nouns.numbered", clause, context)
     _named(chunks, events, of_nouns, of_verbs, context)

@@ -209,6 +209,8 @@ def _is_heading(title: list[Chunk], rest: list[Chunk], mark: str) -> bool:
     spoken = bool(verbs) or any(c.cat in _AUXILIARIES for c in title)
     if title and title[-1].value == "speed" and not _others(title):
         spoken = spoken or _names_ego(title)  # "Motorway, ego at 120 km/h: a van …"
+    if spoken:
+        return False
     titled = [c for c in title if isinstance(c, Mention)]
     if mark != ":":
         sided = any(c.value in {"left", "right"} for c in title)
@@ -234,7 +236,7 @@ def _is_heading(title: list[Chunk], rest: list[Chunk], mark: str) -> bool:
     named = any(c.pronoun is None for c in who)
     stated = any(c.cat in _AUXILIARIES for c in rest)
     told_of = any(isinstance(c, Event) for c in rest) or (_names_ego(rest) and not stated)
-    return not spoken and bare and named and told_of
+    return bare and named and told_of
 
 
 def _role(mention: Mention, title: list[Chunk]) -> bool:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import islice
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing
 from scegen.understanding.lexicon import word_list
@@ -64,11 +65,11 @@ def spell_out(chunks: list[Chunk]) -> list[Chunk]:
 
 def _before_its_side(chunks: list[Chunk], k: int) -> bool:
     """``50 % overlap, left``, ``offset 0.4 m, right``: a comma between a measure and its side."""
-    measure, side = chunk_at(chunks, k - 1), value_at(chunks, k + 1)
+    if chunks[k].value != "," or value_at(chunks, k + 1) not in {"left", "right"}:
+        return False
+    measure, after = chunk_at(chunks, k - 1), chunk_at(chunks, k + 2)
     told = {measure.value, *(m.value for m in getattr(measure, "mods", []))}
-    bare = ends(chunk_at(chunks, k + 2)) or value_at(chunks, k + 2) == ","
-    is_comma = chunks[k].value == "," and side in {"left", "right"}
-    return is_comma and bare and not told.isdisjoint({"percentage", "length"})
+    return (ends(after) or after.value == ",") and not told.isdisjoint({"percentage", "length"})
 
 
 def _after_headings(chunks: list[Chunk]) -> list[Chunk]:
@@ -234,9 +235,9 @@ def _going(chunks: list[Chunk], k: int) -> list[Chunk]:
 
     So do ``van from the left lane into ours``, ``van towards us``.
     """
-    way, lane = chunks[k], next((c for c in chunks[k + 1 : k + 3] if isinstance(c, Place)), None)
-    into = way.value == "into" and lane is not None and lane.kind == "lane"
-    if into or "faces" in getattr(way, "data", {}):
+    way, places = chunks[k], (c for c in chunks[k + 1 : k + 3] if isinstance(c, Place))
+    into = way.value == "into" and any(place.kind == "lane" for place in islice(places, 1))
+    if into or "faces" in getattr(way, "data", ()):
         return [Event("move", way.i, way.i, "s"), way] if _clause_opener(chunks, k) else []
     if not isinstance(way, Term) or (way.cat, way.value) not in _WAYS:
         return []
@@ -258,6 +259,8 @@ def _of_the_same(chunks: list[Chunk], k: int, before: list[Chunk]) -> list[Chunk
     if not isinstance(verb, Event) or verb.nominal:
         return []
     last = next((c for c in reversed(before) if c.cat not in {"manner", "conj"}), NOTHING)
+    if not ends(last):
+        return []
     told = [free_mentions(before[begin:end]) for begin, end in sentences(before)]
     about = next((named[0] for named in reversed(told) if named), None)
     it = Mention(verb.i, verb.i, [], None, pronoun="it", same_as=about)
@@ -268,7 +271,7 @@ def _of_the_same(chunks: list[Chunk], k: int, before: list[Chunk]) -> list[Chunk
         egos = any(m.is_ego for m in named) or bool(by.pronoun) or by.opened_by("def")
         egos = about is None or (egos and not by.is_ego)
         whom = teller_at(verb.i) if egos else it
-        return [whom, Term("aux", "be", verb.i, verb.i)] if ends(last) and not others else []
+        return [whom, Term("aux", "be", verb.i, verb.i)] if not others else []
     return [it] if about is not None and verb.form == "s" and last.value in _STOPS else []
 
 

@@ -64,8 +64,8 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], roster: Roster) -
 
 def _told_by_somebody(chunk: Chunk, roster: Roster) -> None:
     """``in our lane``, ``sits on my bumper``: whoever tells it takes part."""
-    said = (t.low in word_list("of_the_teller") for t in roster.tokens[chunk.i : chunk.j])
-    if not isinstance(chunk, Mention) and any(said):
+    said = roster.tokens[chunk.i : chunk.j] if not isinstance(chunk, Mention) else []
+    if not word_list("of_the_teller").isdisjoint([token.low for token in said]):
         the_teller(roster, ParticipantKind.CAR, Basis(chunk.i, chunk.j))
 
 

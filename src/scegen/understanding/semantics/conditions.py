@@ -33,12 +33,12 @@ from scegen.understanding.frames.loader import read
 from scegen.understanding.frames.windows import Window
 from scegen.understanding.semantics import lanes, patterns
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.cues import SENTENCE, SOON, needs
 from scegen.understanding.semantics.facts import FACTS, Test
 from scegen.understanding.semantics.who import entity, who
 from scegen.understanding.words.tokens import base_words
 
 Kind: TypeAlias = Callable[[str], Test]
-_SOON, _SENTENCE = 5, 24
 _MARKS = frozenset({".", ";", ":"})
 
 
@@ -57,7 +57,7 @@ def _fits(nouns: Callable[[Clause], Iterable[object]]) -> Kind:
 
     def kind(rest: str) -> Test:
         test = patterns.noun(rest.split())
-        return lambda clause, context: any(test(noun, context) for noun in nouns(clause))
+        return lambda clause, c: bool([n for n in nouns(clause) if test(n, c)])
 
     return kind
 
@@ -78,7 +78,7 @@ def _each(judge: Callable[[Iterable[bool]], bool]) -> Kind:
     def kind(rest: str) -> Test:
         left, _, word = rest.rpartition(" is ")
         find, test = who(left), entity(word)
-        return lambda clause, context: judge(test(e, context) for e in find(clause, context))
+        return lambda clause, context: judge([test(e, context) for e in find(clause, context)])
 
     return kind
 
@@ -93,20 +93,9 @@ def _found(judge: Callable[[list[Entity]], bool]) -> Kind:
     return kind
 
 
-def _no(rest: str) -> Test:
-    found = (_each(any) if " is " in rest else _KINDS["some"])(rest)
-    return lambda clause, context: not found(clause, context)
-
-
 def _path(rest: str) -> Test:
     find = patterns.phrases(rest)
     return lambda clause, context: bool(find(clause, context))
-
-
-def _over(rest: str) -> Test:
-    own, direct = _KINDS["own"]("across over"), _KINDS["object"](rest)
-    phrase = _path(f"=across|=over {rest}")
-    return lambda clause, c: (own(clause, c) and direct(clause, c)) or phrase(clause, c)
 
 
 def _next_word(clause: Clause, context: Context) -> list[str]:
@@ -136,7 +125,7 @@ def _tells(rest: str) -> Test:
     phrases = patterns.listed(rest)
 
     def test(clause: Clause, context: Context) -> bool:
-        after = context.lows(clause.event.i, clause.event.i + _SENTENCE)
+        after = context.lows(clause.event.i, clause.event.i + SENTENCE)
         words = f" {' '.join(_here(after))} "
         return any(f" {phrase} " in words for phrase in phrases)
 
@@ -177,12 +166,10 @@ _KINDS: dict[str, Kind] = {
     "noun": _fits(lambda clause: clause.event.subject),
     "object": _fits(lambda clause: [clause.event.object]),
     "goal": _fits(lambda clause: [lanes.into_lane(clause.event)]),
-    "over": _over,
     "some": _found(bool),
     "one": _found(lambda found: len(found) == 1),
     "any": _each(any),
     "all": _each(all),
-    "no": _no,
     "how": lambda rest: lambda clause, _: clause.event.how(*rest.split()) is not None,
     "own": _among(_own),
     "mod": _among(lambda clause, c: [c.tokens[m.j - 1].low for m in clause.event.mods]),
@@ -192,14 +179,14 @@ _KINDS: dict[str, Kind] = {
     "ends": _among(lambda clause, c: [c.tokens[clause.event.j - 1].low]),
     "before": _among(lambda clause, c: c.lows(clause.event.i - 1, clause.event.i)),
     "next": _among(_next_word),
-    "soon": _among(lambda clause, c: _here(c.lows(clause.event.j, clause.event.j + _SOON))),
+    "soon": _among(lambda clause, c: _here(c.lows(clause.event.j, clause.event.j + SOON))),
     "opened": _among(_opened),
     "lately": _among(
-        lambda clause, c: _here(reversed(c.lows(clause.event.i - _SOON, clause.event.i)))
+        lambda clause, c: _here(reversed(c.lows(clause.event.i - SOON, clause.event.i)))
     ),
     "tells": _tells,
-    "said": _among(lambda clause, c: [base_words(c.tokens, clause.event.i, clause.event.j)]),
     "measured": _among(lambda c, _: [m.value for m in c.event.mods if m.cat == "quantity"]),
+    "said": _among(lambda clause, c: [base_words(c.tokens, clause.event.i, clause.event.j)]),
     "lemma": _among(lambda clause, _: [clause.event.lemma]),
     "above": _among(lambda clause, _: [e.lemma for e in clause.event.upwards()]),
     "event": _among(lambda clause, _: [clause.event.name]),
@@ -219,33 +206,60 @@ _KINDS: dict[str, Kind] = {
 }
 
 
+def ways(text: str) -> list[list[str]]:
+    """Rows of conditions that say what one says: each is one way in which it is so."""
+    name, _, rest = text.partition(" ")
+    if " or " in text:
+        return [[part] for part in text.split(" or ")]
+    if name == "over":
+        return [["own across over", f"object {rest}"], [f"path =across|=over {rest}"]]
+    if name == "no":
+        return [[f"not any {rest}" if " is " in rest else f"not some {rest}"]]
+    told: list[list[str]] = read("facts").get(text, [[text]])
+    return told
+
+
+@cache
 def condition(text: str) -> Test:
     """The test that the words of a condition make.
 
     Raises:
         KeyError: names a word that means nothing here.
     """
+    name, _, rest = text.partition(" ")
     if " or " in text:
         one, other = map(condition, text.split(" or ", maxsplit=1))
         return lambda clause, context: one(clause, context) or other(clause, context)
-    name, _, rest = text.partition(" ")
+    if (told := ways(text)) != [[text]]:
+        return _one_of_rows([[condition(part) for part in row] for row in told])
     if name == "not":
         test = condition(rest)
         return lambda clause, context: not test(clause, context)
-    if name in _KINDS:
-        return _KINDS[name](rest)
-    return FACTS[text] if text in FACTS else _told_by_rows(text)
+    return _KINDS[name](rest) if name in _KINDS else FACTS[text]
+
+
+def _one_of_rows(rows: list[list[Test]]) -> Test:
+    def test(clause: Clause, context: Context) -> bool:
+        for tests in rows:
+            for test in tests:
+                if not test(clause, context):
+                    break
+            else:
+                return True
+        return False
+
+    return test
+
+
+@cache
+def needed(text: str) -> frozenset[str]:
+    """Cues of which a clause has one wherever a condition holds; none where no cue tells."""
+    if (told := ways(text)) == [[text]]:
+        return needs(text)
+    each = [next(filter(None, map(needed, row)), frozenset[str]()) for row in told]
+    return frozenset().union(*each) if all(each) else frozenset()
 
 
 def holds(name: str, clause: Clause, context: Context) -> bool:
     """Whether a word that has rows of its own is so of a clause."""
-    return _told_by_rows(name)(clause, context)
-
-
-@cache
-def _told_by_rows(name: str) -> Test:
-    """A word that has rows of its own: each is one way in which it is so."""
-    rows = [[condition(text) for text in row] for row in read("facts")[name]]
-    return lambda clause, context: any(
-        all(test(clause, context) for test in tests) for tests in rows
-    )
+    return condition(name)(clause, context)

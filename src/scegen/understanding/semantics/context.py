@@ -31,6 +31,7 @@ class Clause:
         targets: whom it is done to.
         amounts: what numbers say of it, by the field (SI units); None where one is not told.
         around: the words around the number that it is, if it is one.
+        cues: its cues, once they are known (`semantics.cues`).
     """
 
     event: Event
@@ -38,6 +39,7 @@ class Clause:
     targets: list[Entity]
     amounts: dict[str, list[Interval | None]] = field(default_factory=dict)
     around: Window | None = None
+    cues: frozenset[str] | None = field(default=None, init=False)
 
     @property
     def drivers(self) -> list[Entity]:
@@ -49,11 +51,6 @@ class Clause:
         """Marks events that the text offers as alternatives ("either … or …")."""
         told = (e.alternative for e in self.event.upwards() if e.alternative is not None)
         return next(told, None)
-
-    @property
-    def reaction(self) -> bool:
-        """The event answers a danger ("must stop", "forcing it to brake", "to avoid …")."""
-        return self.event.modal or any(c.name == "avoid" for c in self.event.children)
 
     @property
     def tells_parked(self) -> bool:
@@ -72,11 +69,6 @@ class Clause:
     def words(self) -> Basis:
         """The words of the event itself."""
         return Basis(self.event.i, self.event.j)
-
-    @property
-    def sudden(self) -> Basis | None:
-        """Words that make the event sudden."""
-        return self.how("sudden", "emergency")
 
     def places(self) -> list[Place]:
         """Places named with the event."""
@@ -113,10 +105,14 @@ class Context:
     """Those who let somebody by."""
     barred: bool = False
     """Whether a thing is in the way, or the text tells of getting past."""
+    words: list[str] = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.words = [token.low for token in self.tokens]
 
     def lows(self, i: int, j: int) -> list[str]:
         """The words from one token to before another."""
-        return [t.low for t in self.tokens[max(i, 0) : max(j, 0)]]
+        return self.words[max(i, 0) : max(j, 0)]
 
     @property
     def meeting(self) -> bool:

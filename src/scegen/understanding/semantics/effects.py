@@ -36,10 +36,10 @@ def _words(expression: str, reason: str | None) -> Words:
     """What a row rests on.
 
     Args:
-        expression: ``event``; ``sudden`` or ``how VALUE…``, where that is said; ``phrase
-            PATTERN`` or ``at PATTERN``, a phrase or place; ``to PATTERN`` and ``upto PATTERN``,
-            from the verb to the end of one; ``danger KIND``, those of a danger; ``way WHO``, those
-            of what they do; one of `VALUES` or `WORDS`.
+        expression: ``event``; ``how VALUE…``, where that is said; ``phrase PATTERN`` or ``at
+            PATTERN``, a phrase or place; ``to PATTERN`` and ``upto PATTERN``, from the verb to the
+            end of one; ``danger KIND``, those of a danger; ``way WHO``, those of what they do; one
+            of `VALUES` or `WORDS`.
         reason: why, where the words do not say it themselves.
     """
     name, _, rest = expression.partition(" ")
@@ -49,9 +49,7 @@ def _words(expression: str, reason: str | None) -> Words:
 
     def basis(clause: Clause, context: Context) -> Basis:
         found: Basis | None = None
-        if name == "sudden":
-            found = clause.sudden
-        elif name == "how":
+        if name == "how":
             found = clause.how(*rest.split())
         elif name in {"to", "phrase"}:
             for phrase in find(clause, context)[:1]:
@@ -247,9 +245,17 @@ def _imply(name: str, words: Words) -> Effect:
     return effect
 
 
+def _changed(change: Effect) -> Effect:
+    def effect(clause: Clause, context: Context) -> None:
+        change(clause, context)
+        clause.cues = None
+
+    return effect
+
+
 EFFECTS: dict[str, Callable[[Any, dict[str, Any], str, Words], Effect]] = {
-    "rewrite": lambda said, *_: REWRITES[said],
-    "as": lambda said, *_: lambda clause, _: setattr(clause.event, "name", said),
+    "rewrite": lambda said, *_: _changed(REWRITES[said]),
+    "as": lambda said, *_: _changed(lambda clause, _: setattr(clause.event, "name", said)),
     "lanes": lambda said, row, *_: _imply("lanes", _words(row.get("words", "event"), said)),
     "crossing": lambda said, row, *_: _imply("crossing", _words(row.get("words", "event"), said)),
     "rules_out": lambda said, *_: _rule_out(said),

@@ -14,8 +14,8 @@ from scegen.understanding.semantics.met import goal_of_contact
 
 Test: TypeAlias = Callable[[Clause, Context], bool]
 _PASSING = frozenset({"overtake", "bypass", "pass", "undertake"})
-_OF_THE_VERB = ("modal", "nominal", "passive", "perfect", "negated", "late", "unable", "reduced",
-                "finite")  # fmt: skip
+_OF_THE_EVENT = ("modal", "nominal", "passive", "perfect", "negated", "late", "unable", "reduced",
+                 "finite")  # fmt: skip
 
 
 def _is(name: str) -> Test:
@@ -52,9 +52,7 @@ def _right_after(clause: Clause, context: Context) -> bool:
 
 
 FACTS: dict[str, Test] = {
-    **{name: _is(name) for name in _OF_THE_VERB},
-    "reaction": lambda clause, _: clause.reaction,
-    "sudden": lambda clause, _: clause.sudden is not None,
+    **{name: _is(name) for name in _OF_THE_EVENT},
     "supposed": lambda clause, c: any(c.lows(m.i - 1, m.i) == ["if"] for m in clause.event.subject),
     "premodifier": lambda clause, _: clause.event.premod_of is not None,
     "subject": lambda clause, _: bool(clause.event.subject),

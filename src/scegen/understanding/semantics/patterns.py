@@ -5,13 +5,14 @@ list of the lexicon), with ``!`` by any other value and ``~`` any other word, af
 inside ("from behind"), after ``&`` right after somebody; then a noun. A noun is a kind of place,
 ``who`` (participants), ``who.it`` (that pronoun), ``thing`` or ``thing.view``, ``place`` (any),
 ``none``, ``named`` (any but none); ``any`` is whatever stands there. ``+x`` and ``-x`` ask for,
-and rule out, a direction, one of `_FILTERS`, a word of a list (``@NAME``), one before its
+and rule out, a direction, one of `FILTERS`, a word of a list (``@NAME``), one before its
 preposition (``led@NAME``), or what the lexicon says of its head (``does.overtaking``).
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Collection
+from functools import cache
 from typing import Any, TypeAlias
 
 from scegen.scenario.roadway import BAYS
@@ -75,7 +76,7 @@ def _head(key: str, values: Collection[str] = ()) -> NounTest:
 
 _OF_REACH = 4
 _OPAQUE = frozenset({"bus_stop", "feature", "parking"})
-_FILTERS: dict[str, NounTest] = {
+FILTERS: dict[str, NounTest] = {
     "opaque": _opaque,
     "stopped": _stopped,
     "other_half": _other_half,
@@ -137,8 +138,8 @@ def _alternative(word: str) -> NounTest:
 
 def _filter(word: str) -> NounTest:
     wanted, names = word[0] == "+", word[1:].split("|")
-    tests = [test for name in names if (test := _FILTERS.get(name) or _of_words(name))]
-    dirs = {name for name in names if name.isidentifier() and name not in _FILTERS}
+    tests = [test for name in names if (test := FILTERS.get(name) or _of_words(name))]
+    dirs = {name for name in names if name.isidentifier() and name not in FILTERS}
     if len(tests) == 1 and not dirs:
         return tests[0] if wanted else lambda n, c: not tests[0](n, c)
     return lambda n, c: (any(t(n, c) for t in tests) or bool(dirs and dirs & set(n.dirs))) == wanted
@@ -233,6 +234,7 @@ def end(found: Prep) -> int:
     return found.target.j if isinstance(found.target, NounPhrase | Event) else found.word.j
 
 
+@cache
 def listed(rest: str) -> frozenset[str]:
     """Words, and those of lists of the lexicon ("@gently")."""
     named = (word_list(word[1:]) if word[0] == "@" else {word} for word in rest.split())

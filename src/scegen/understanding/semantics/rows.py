@@ -20,18 +20,15 @@ follows. With ``also`` the next rows are asked as well. The keys:
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, TypeAlias
 
-from scegen.understanding.chunks import Event
-from scegen.understanding.draft import Draft
 from scegen.understanding.frames.loader import read
-from scegen.understanding.road.junctions import JunctionReading
-from scegen.understanding.semantics.conditions import condition
+from scegen.understanding.semantics.conditions import condition, needed
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.cues import cues
 from scegen.understanding.semantics.effects import EFFECTS, Effect, effects_of
 from scegen.understanding.semantics.facts import Test
 
@@ -43,52 +40,35 @@ _KEYS = frozenset(EFFECTS) | {"if", "by", "to", "of", "from", "then", "words", "
 Effects: TypeAlias = Callable[[dict[str, Any]], Iterable[Effect]]
 
 
-_OF_THE_VERB = frozenset({"event", "lemma", "form", "negated", "passive", "nominal"})
-"""Words of conditions that the verb alone decides."""
-_PATH = re.compile(r"path (?!\^)")
-_NOWHERE = Context(Draft(), JunctionReading(), [])
-
-
 @dataclass(frozen=True, slots=True)
 class Row:
-    """One row: what it asks of the verb, and what else; its effects; whether more rows are asked.
+    """One row: what it asks, with the cues of which each needs one; its effects; ``also``."""
 
-    ``phrased``: it can only hold where the verb has phrases.
-    """
-
-    of_the_verb: tuple[Test, ...]
-    phrased: bool
     tests: tuple[Test, ...]
+    needs: frozenset[frozenset[str]]
     effects: tuple[Effect, ...]
     also: bool
 
 
 class Families:
-    """Rows by family, as ``dangers.brake``; what they ask of the verb is looked up."""
+    """Rows by family, as ``dangers.brake``; which of them cues leave is looked up."""
 
     def __init__(self, rows: dict[str, tuple[Row, ...]]) -> None:
         self.rows = rows
-        self._for_verb = lru_cache(maxsize=16384)(self._of_verb)
+        self._cues = {
+            family: frozenset().union(*(need for row in found for need in row.needs))
+            for family, found in rows.items()
+        }
+        self._left = lru_cache(maxsize=16384)(self._left_by)
 
-    def asked(self, family: str, event: Event) -> tuple[Row, ...]:
-        """The rows that may fit a clause with such a verb."""
+    def asked(self, family: str, clause: Clause, context: Context) -> tuple[Row, ...]:
+        """The rows that may fit a clause."""
         if family not in self.rows:
             return ()
-        facts = event.negated, event.passive, event.nominal
-        own = event.name, event.lemma, event.form
-        return self._for_verb(family, *own, bool(event.pps), *facts)
+        return self._left(family, self._cues[family] & (clause.cues or cues(clause, context)))
 
-    def _of_verb(
-        self, family: str, name: str, lemma: str, form: str, phrases: bool, *facts: bool
-    ) -> tuple[Row, ...]:
-        event = Event(name, 0, 0, form, lemma)
-        event.negated, event.passive, event.nominal = facts
-        alone = Clause(event, [], [])
-        return tuple(
-            row
-            for row in self.rows[family]
-            if phrases >= row.phrased and all(test(alone, _NOWHERE) for test in row.of_the_verb)
-        )
+    def _left_by(self, family: str, told: frozenset[str]) -> tuple[Row, ...]:
+        return tuple(row for row in self.rows[family] if not any(map(told.isdisjoint, row.needs)))
 
 
 def _then(family: str) -> Effect:
@@ -112,20 +92,11 @@ def _row(
         where_put = row.get("where", "subject")
         if "also" in row and not where_put.startswith("subject"):
             said.append(where_put if where_put.startswith("object ") else f"path {where_put}")
-        tests: dict[bool, list[Test]] = {True: [], False: []}
-        for text in said:
-            tests[_of_the_verb(text)].append(condition(text))
-        phrased = any(all(map(_PATH.match, text.split(" or "))) for text in said)
+        needs = frozenset(filter(None, map(needed, said)))
         does = (*effects(row), *map(_then, row.get("then", ())))
-        return Row(tuple(tests[True]), phrased, tuple(tests[False]), does, bool(row.get("also")))
+        return Row(tuple(map(condition, said)), needs, does, bool(row.get("also")))
     except KeyError as error:
         raise KeyError(f"{where}: {error} in {row}") from error
-
-
-def _of_the_verb(text: str) -> bool:
-    """Whether the verb alone decides a condition."""
-    parts = (part.removeprefix("not ").partition(" ")[0] for part in text.split(" or "))
-    return _OF_THE_VERB.issuperset(parts)
 
 
 @lru_cache(maxsize=1)
@@ -155,7 +126,7 @@ def say(family: str, clause: Clause, context: Context) -> bool:
         Whether a row fits that says something.
     """
     fitted = False
-    for row in families().asked(family, clause.event):
+    for row in families().asked(family, clause, context):
         for test in row.tests:
             if not test(clause, context):
                 break

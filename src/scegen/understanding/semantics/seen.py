@@ -243,6 +243,5 @@ def _is_offset(phrase: Prep, clause: Clause, context: Context) -> bool:
 FACTS = {
     "within_the_lane": lambda clause, c: any(_is_offset(p, clause, c) for p in clause.event.pps),
     "own_heading": lambda clause, _: any(m.cat == "compass" for m in clause.event.mods),
-    "several": lambda clause, _: len(clause.actors) > 1,
 }
 """Words of conditions that ask what a phrase of place is."""

@@ -35,7 +35,7 @@ def _leads(e: Entity, context: Context) -> bool:
 
 
 def _is(name: str) -> EntityTest:
-    return lambda e, _: bool(getattr(e, name))
+    return lambda e, _: getattr(e, name)
 
 
 def _placed(place: Approach) -> EntityTest:
@@ -68,7 +68,6 @@ ENTITY: dict[str, EntityTest] = {
     "bus": lambda e, _: e.kind is ParticipantKind.BUS,
     "cyclist": lambda e, _: e.kind is ParticipantKind.BICYCLE,
     "free": lambda e, _: not e.maneuvers,
-    "turns": lambda e, _: bool(e.maneuvers & {Maneuver.LEFT, Maneuver.RIGHT}),
     "headed": lambda e, _: e.heading is not None,
     "faced": lambda e, c: any(
         o.heading and FACING[o.heading] == e.heading for o in c.draft.entities
@@ -94,7 +93,6 @@ ENTITY: dict[str, EntityTest] = {
     "unfaced": lambda e, c: c.draft.ego is None or met.apart(e, c.draft.ego, c),
     "slower": lambda e, c: e.still or e in c.draft.causing(*_SLOWER),
     "wrong_side": met.on_the_wrong_side,
-    "slow": lambda e, c: e in c.draft.causing(*_SLOWER),
     "person": lambda e, _: e.kind is ParticipantKind.PEDESTRIAN,
     "numbered": lambda e, _: e.lane is not None,
     "laned": lambda e, _: e.start_lane is not None,
@@ -208,6 +206,8 @@ def who(expression: str) -> Who:
     def kept(clause: Clause, context: Context) -> list[Entity]:
         found = base(clause, context)
         for test, wanted in tests:
+            if not found:
+                break
             found = [e for e in found if test(e, context) == wanted]
         return found
 

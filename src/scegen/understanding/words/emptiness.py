@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import re
+from functools import cache
+
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.numbers import number_at
 from scegen.understanding.words.quantities import after_a_measure, quantity_at
 from scegen.understanding.words.terms import begins, longest_match
 from scegen.understanding.words.tokens import Token, low_at
 
-_ENDS = frozenset({"", ".", "!", "?"})
-_SOON = 3
+_ENDS = frozenset({".", "!", "?"})
+_SOON, _LONGEST = 3, 6
 
 
 def without_emptiness(tokens: list[Token]) -> list[Token]:
@@ -21,8 +24,8 @@ def without_emptiness(tokens: list[Token]) -> list[Token]:
         for k, token in enumerate(tokens)
         if token.low in being and (count := _phrase(tokens, k + 1, "stressing"))
     }
-    opened = [k for k in range(len(tokens)) if low_at(tokens, k - 1) in _ENDS]
-    counts |= {k: _asked(tokens, k) or _test_of(tokens, k) for k in opened}
+    opened = (k + 1 for k, token in enumerate(tokens[:-1]) if token.low in _ENDS)
+    counts |= {k: _asked(tokens, k) or _test_of(tokens, k) for k in (0, *opened)}
     empty = {m for k, count in counts.items() for m in range(k, k + count)}
     return [token for k, token in enumerate(tokens) if k not in empty] if empty else tokens
 
@@ -39,22 +42,24 @@ def _room(tokens: list[Token], k: int) -> int:
 
 def _asked(tokens: list[Token], k: int) -> int:
     """How many words ``could you make me`` has before what is asked for, which is new."""
-    end = k + _phrase(tokens, k, "asking")
-    end += end > k and low_at(tokens, end) in word_list("first_person")
+    asked = _phrase(tokens, k, "asking")
+    end = k + asked + (low_at(tokens, k + asked) in word_list("first_person"))
     one = end + (low_at(tokens, end) == "the")
-    if end > k and low_at(tokens, one) == "one" and begins(tokens, one + 1, "prep", "sub", "punct"):
+    if not asked:
+        return 0
+    if low_at(tokens, one) == "one" and begins(tokens, one + 1, "prep", "sub", "punct"):
         return one + 1 - k  # "can you do one in fog?": a scenario
     match = longest_match(tokens, end)
     counted = number_at(tokens, end) is not None and quantity_at(tokens, end) is None
     indefinite = match is not None and match.has("det") and match.get("det").value == "indef"
-    listed = end > k and low_at(tokens, end) == ":"
+    listed = low_at(tokens, end) == ":"
     return end + listed - k if counted or indefinite or listed else 0
 
 
 def _test_of(tokens: list[Token], k: int) -> int:
     """How many words ``Car-to-pedestrian, nearside adult`` has before who is met in that test."""
-    met = longest_match(tokens, k + 2)
-    if [low_at(tokens, k), low_at(tokens, k + 1)] != ["car", "to"] or met is None:
+    met = longest_match(tokens, k + 2) if low_at(tokens, k) == "car" else None
+    if low_at(tokens, k + 1) != "to" or met is None:
         return 0
     again = [longest_match(tokens, m) for m in range(met.j, met.j + _SOON)]
     kind = met.get("actor").value if met.has("actor") else "car"
@@ -63,10 +68,14 @@ def _test_of(tokens: list[Token], k: int) -> int:
 
 
 def _phrase(tokens: list[Token], k: int, name: str) -> int:
-    """How many words the longest phrase of a list has that stands there; ``*`` is "make"."""
-    found = 0
-    for phrase in word_list(name):
-        words = [word_list("making") if word == "*" else {word} for word in phrase.split()]
-        if all(low_at(tokens, k + m) in word for m, word in enumerate(words)):
-            found = max(found, len(words))
-    return found
+    """How many words the longest phrase of a list has that stands there."""
+    found = _phrases(name).match("".join(f"{token.low} " for token in tokens[k : k + _LONGEST]))
+    return found.group().count(" ") if found is not None else 0
+
+
+@cache
+def _phrases(name: str) -> re.Pattern[str]:
+    """The phrases of a list, the longest first; ``*`` is "make"."""
+    making = f"(?:{'|'.join(sorted(word_list('making')))})"
+    longest = sorted(sorted(word_list(name)), key=lambda phrase: -phrase.count(" "))
+    return re.compile("|".join(f"{phrase} ".replace("*", making) for phrase in longest))
