@@ -144,8 +144,11 @@ def _told_of(prep: Prep, state: State) -> Event:
     outer = outside(state)
     since = (c for c in state.chunks[: state.k] if c.i >= outer.j)
     aside = sum(c.value == "," for c in since if isinstance(c, Term)) % 2 == 0  # ", at speed, …"
-    closed = "," in state.between and (prep.names("side") or prep.outer == "from") and not aside
-    around = (e for e in reversed(state.events) if not e.embedded and e.name in _MET)
+    due = prep.value == "due"  # "does not see a child, who crosses, because of a van"
+    closed = "," in state.between and (prep.names("side") or prep.outer == "from" or due)
+    closed = closed and (due or not aside)
+    met = (e for e in reversed(state.events) if not e.embedded)
+    around = (e for e in met if due or e.name in _MET)
     return next(around, outer) if closed and outer.embedded else outer
 
 

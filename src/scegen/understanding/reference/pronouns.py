@@ -102,7 +102,9 @@ def _single(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Ent
     options = _persons(roster, mention, [e for e in recent if e not in exclude], options)
     if word == "it" and any(_person(roster, e) for e in options):
         order = roster.recent
-        on_foot = drives and not options[0].is_vehicle and options[0].kind not in ANIMALS
+        ahead = mention.prep is not None and mention.prep.value == "ahead"  # "the van ahead of it"
+        on_foot = (drives or ahead) and not options[0].is_vehicle
+        on_foot = on_foot and options[0].kind not in ANIMALS
         since = order if on_foot else order[order.index(options[0]) + 1 :]
         others = [e for e in since if not _person(roster, e) and e not in exclude]
         # "a rider passes the ego as it turns"; "a child behind a parked car; it is hit"

@@ -48,12 +48,13 @@ def _rear_ends(clause: Clause, context: Context) -> bool:
 def driven_up_to(clause: Clause, context: Context) -> list[Entity]:
     """``closes in on a stopped van``, ``encounters a slow tractor``, ``hits its rear``."""
     event, rear = clause.event, _rear_ends(clause, context)
+    towards = _TOWARDS - ({"with"} if event.name == "move" else set())  # "drives with a van behind"
     found = list(clause.targets)
     for prep in event.pps:
         whom = prep.target
         if isinstance(whom, Mention):
             queue = whom.head is not None and "mass" in whom.head.data  # "the tail of a queue"
-            if prep.value in _TOWARDS or (prep.value == "of" and (queue or rear)):
+            if prep.value in towards or (prep.value == "of" and (queue or rear)):
                 found += whom.entities
     ends = clause.places()
     owned = [c for c in ends if "rear" in c.dirs or (rear and c is event.object)]
