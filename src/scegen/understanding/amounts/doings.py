@@ -9,7 +9,6 @@ from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import Side
 from scegen.understanding.amounts.aside import SIDE_WORDS
 from scegen.understanding.amounts.figures import Figure
-from scegen.understanding.amounts.speeds import one_each
 from scegen.understanding.amounts.timing import likewise
 from scegen.understanding.entity import Basis
 from scegen.understanding.frames import acts as frames
@@ -30,11 +29,12 @@ def fill(figure: Figure, field: str, kinds: frozenset[ActKind]) -> bool:
 
 def made(figure: Figure, kind: ActKind, field: str) -> bool:
     """``lead car, deceleration 6 m/s²``: an act that only its amount tells of."""
-    event, whose_ = figure.verb, one_each(figure.subject[:1], figure)
+    who, event = figure.subject, figure.verb
+    if not who:
+        return False
     told = [event.i] if event is not None and event.i < figure.i else []
-    for who, _ in whose_:
-        figure.text.add(Doing(kind, who, figure.amount.basis, figure.i, told=list(told)))
-    return bool(whose_) and _give(figure.text.acts(figure.i, figure.j)[0], figure, field)
+    doing = Doing(kind, who[0], figure.amount.basis, figure.i, told=told)
+    return _give(figure.text.add(doing), figure, field)
 
 
 def comes_to(figure: Figure) -> bool:

@@ -28,10 +28,9 @@ def of_something_else(figure: Figure) -> bool:
             return False  # "my speed was …"
         opens = chunk.value == "(" or (chunk.cat == "prep" and chunk.value not in {"of", "for"})
         apart = apart or (opens and not foreign)
-        ends = chunk.cat == "conj" or chunk.value == "," or (opens and not (known or apart))
-        if foreign and (ends or chunk.value == ":"):
+        if chunk.cat == "conj" or chunk.value == "," or (chunk.value == ":" and known | foreign):
             break
-        if chunk.cat == "conj" or chunk.value == "," or (chunk.value == ":" and known):
+        if foreign and opens and not (known or apart):
             break
         noun = _noun(chunk, figure)
         known = known or isinstance(chunk, Thing) or bool(noun & word_list("of_whoever"))

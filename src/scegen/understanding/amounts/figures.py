@@ -187,13 +187,6 @@ class Figure(Clause):
         located = landmark.prep is not None and landmark.prep.cat == "locus"
         return next(placed, landmark) if located else landmark
 
-    @cached_property
-    def own_subject(self) -> list[Entity]:
-        """Whom a clause after "when", "while" … is about in which it stands."""
-        opened = [c for c in self.text.subs if self.start <= c.i <= self.i]
-        free = self._free(opened[-1].i + 1) if opened else []
-        return list(free[0].entities) if free else []
-
     def _free(self, start: int) -> list[Mention]:
         """Who is named before it and in no phrase of place, and only owns nothing."""
         named = [m for m in self.text.mentions if start <= m.i < self.i and m.entities]
@@ -209,7 +202,8 @@ class Figure(Clause):
         """Whom a clause is about that says how far off one is: "a van that is still 60 m away"."""
         words_ = (c for c in self.text.chunks if isinstance(c, Term) and self.start <= c.i < self.i)
         opened = [c for c in words_ if c.cat in {"rel", "sub"}]
-        who = self.own_subject if opened else []
+        free = self._free(opened[-1].i + 1) if opened else []
+        who = free[0].entities if free else []
         if opened and opened[-1].cat == "rel":
             before = (m for m in reversed(self.text.mentions) if m.i < opened[-1].i)
             who = next((m.entities for m in before if not m.possessor), [])

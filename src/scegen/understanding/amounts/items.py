@@ -9,7 +9,7 @@ from scegen.scenario.things import SIZES_M, ThingKind
 from scegen.scenario.vocabulary import Approach, HazardKind, Side
 from scegen.understanding.amounts.figures import Figure, has_a_size
 from scegen.understanding.amounts.telling import Telling
-from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Thing
 from scegen.understanding.draft import Danger
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Item, name_them
@@ -125,7 +125,8 @@ def _hidden(thing: Thing, words: Basis, text: Telling) -> list[Entity]:
     i, j = words.i or 0, words.j or 0
     here = [s for s in text.within(*text.bounds(i)) if s.event.name in word_list("beside_things")]
     for scene in here:
-        if any(_behind(p, thing) for p in scene.event.pps):
+        hides = (p for p in scene.event.pps if p.value in _HIDING or p.outer == "from")
+        if any(p.target is thing for p in hides):
             return [e for e in (scene.actors or scene.targets) if not e.ego]
     told = [s for s in here if i <= s.event.i <= j or s.event.name == "hide"]
     return next((who for s in told if (who := _seen_in(s))), [])
@@ -135,10 +136,6 @@ def _seen_in(scene: Clause) -> list[Entity]:
     direct = scene.event.object
     named = list(direct.entities) if isinstance(direct, Mention) else scene.targets
     return [e for e in (named or scene.actors) if not e.ego]
-
-
-def _behind(prep: Prep, thing: Thing) -> bool:
-    return prep.target is thing and (prep.value in _HIDING or prep.outer == "from")
 
 
 _LIMITS = {"length_m": LENGTHS_M, "width_m": WIDTHS_M}

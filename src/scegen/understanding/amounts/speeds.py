@@ -98,8 +98,8 @@ def _can(entity: Entity, speed: Interval, near: list[Entity]) -> bool:
 def _from_to(figure: Figure) -> Doing | None:
     """``brakes from 50 to 20 km/h``: what it drove before, and what it comes to."""
     text, parts, i = figure.text, figure.quantity.parts, figure.i
-    if len(parts) != _PAIR:
-        return None
+    if len(parts) != _PAIR or figure.words_around.closes("ranging"):
+        return None  # "drives at anything from 60 to 70 km/h"
     # "brakes, 100 to 60 km/h": no range goes down
     joined = any(t.low in word_list("up_to") for t in text.tokens[i : figure.j])
     falls = joined and parts[0].low > parts[1].low
@@ -187,10 +187,10 @@ def whose(figure: Figure) -> list[tuple[Entity, Quantity]]:
     """Those whose speed it is, with what it is of each of them; none where nothing tells."""
     near = _for_whom(figure) or figure.named_before(_outside(figure))
     near = near or _of_the_noun(figure) or _opens_with(figure)
-    return one_each(near or _by_clause(figure), figure)
+    return _one_each(near or _by_clause(figure), figure)
 
 
-def one_each(whom: list[Entity], figure: Figure) -> list[tuple[Entity, Quantity]]:
+def _one_each(whom: list[Entity], figure: Figure) -> list[tuple[Entity, Quantity]]:
     """``ego and van at 50 and 70 km/h``: as many as participants, in order; one is that of all."""
     parts = figure.quantity.parts
     last = next((m for m in reversed(figure.text.mentions) if m.j <= figure.i), None)

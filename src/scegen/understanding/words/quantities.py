@@ -102,13 +102,12 @@ def _row_at(tokens: list[Token], i: int) -> list[Quantity]:
         return []
     j = one.j if one is not None else i + (number.length if number is not None else 0)
     k = j + (low_at(tokens, j) == ",")
-    last = low_at(tokens, k) == "and"
-    k += last
+    k += low_at(tokens, k) == "and"
     slash = k == j and one is None
     while low_at(tokens, k) in word_list("about"):
         k += 1
     goes_on = k < len(tokens) and (slash or (k > j and (one is None or one.dimension != "time")))
-    rest = _row_at(tokens, k)[: 1 if last else None] if goes_on else []
+    rest = _row_at(tokens, k) if goes_on else []
     if slash:
         rest = [part for q in rest for part in q.singly]
     if one is None and rest:
@@ -135,33 +134,22 @@ def _one_at(tokens: list[Token], i: int) -> Quantity | None:
         return None
     j = i + opened + first.length
     unit = _unit_at(tokens, j)
-    if unit is not None:
-        dimension, name, length = unit
-        more = _and_a_half(tokens, j + length)
-        values = [_si(first.value + (0.5 if more else 0.0), dimension, name)]
-        end = j + length + (3 if more else 0)  # "a metre and a half"
-        spread = _tolerance(tokens, end, dimension, name, first.value)
-        if spread is not None:
-            return _around(tokens, i, values[0], spread, dimension)
-        ranges = low_at(tokens, end) in _RANGE_WORDS or (opened and low_at(tokens, end) == "and")
-        second = _second_number(tokens, end + 1) if ranges else None
-        if (low_at(tokens, i - 1), low_at(tokens, end)) == ("from", "to"):
-            second = second or _second_number(tokens, end + 1, (dimension, name))
-        if second is not None and second[1] == dimension:
-            return _build(tokens, i, second[2], [*values, second[0]], dimension)
-        return None if opened else _build(tokens, i, end, values, dimension)
-    joiner = low_at(tokens, j) in _RANGE_WORDS or (opened and low_at(tokens, j) == "and")
-    second = _second_number(tokens, j + 1 if joiner else j)
-    beside = tokens[i].kind == "number" and not _names_a_lane(tokens, i, first)
-    if second is not None and (joiner or beside):
-        value, dimension, end, name = second
-        return _build(tokens, i, end, [_si(first.value, dimension, name), value], dimension)
-    after = _tolerance_mark(tokens, j)
-    second = _second_number(tokens, after) if after is not None else None
-    if second is not None:
-        value, dimension, end, name = second
-        return _around(tokens, i, _si(first.value, dimension, name), (value, end), dimension)
-    return None
+    more = unit is not None and _and_a_half(tokens, j + unit[2])  # "a metre and a half"
+    end = j + (unit[2] if unit is not None else 0) + 3 * more
+    joined = low_at(tokens, end) in _RANGE_WORDS or (opened and low_at(tokens, end) == "and")
+    beside = unit is None and not (spelled or _names_a_lane(tokens, i, first))
+    mark = _tolerance_mark(tokens, end)
+    second = None
+    if joined or beside or mark is not None:
+        falls = unit if (low_at(tokens, i - 1), low_at(tokens, end)) == ("from", "to") else None
+        second = _second_number(tokens, end + joined if mark is None else mark, falls)
+    dimension, name = unit[:2] if unit is not None else second[1::2] if second else ("", "")
+    value = _si(first.value + 0.5 * more, dimension, name)
+    if second is not None and second[1] in {dimension, *(["percentage"] if mark else [])}:
+        other = second[0] if second[1] == dimension else value * second[0] / 100  # "± 5 %"
+        values = [value, other] if mark is None else [value - other, value + other]
+        return _build(tokens, i, second[2], values, dimension)
+    return None if opened or unit is None else _build(tokens, i, end, [value], dimension)
 
 
 def _fraction(tokens: list[Token], i: int) -> Number | None:
@@ -176,10 +164,11 @@ def _fraction(tokens: list[Token], i: int) -> Number | None:
         return Number(whole / part, 4)
     unit = _unit_at(tokens, i + 1) if lows[0] == "a" and len(lows) > 1 else None
     named = unit is not None and unit[0] == "length" and len(lows[1]) > 2
-    timed = not word_list("order").isdisjoint(lows[2:3]) or low_at(tokens, i - 1) == "within"
+    led = low_at(tokens, i - 1)
+    timed = not word_list("order").isdisjoint(lows[2:3]) or led == "within"
+    timed = timed or (led in word_list("so_long") and low_at(tokens, i + 2) in {",", ".", ";", ""})
     named = named or (lows[1:2] == ["second"] and (timed or _and_a_half(tokens, i + 2)))
-    before = low_at(tokens, i - 1)
-    if before in {"into", "in", "from"} or (before == "of" and low_at(tokens, i - 2) == "out"):
+    if led in {"into", "in", "from"} or (led == "of" and low_at(tokens, i - 2) == "out"):
         return None  # "out of a yard"
     return Number(1.0, 1) if named else None  # "a second" may be another one
 
@@ -189,33 +178,15 @@ def _and_a_half(tokens: list[Token], j: int) -> bool:
 
 
 def _tolerance_mark(tokens: list[Token], j: int) -> int | None:
-    """Where a tolerance begins after ``±``; None if none is marked."""
+    """Where a tolerance begins after ``±``, as in ``50 km/h ± 5 %``; None if none is marked."""
     lows = [t.low for t in tokens[j : j + 3]]
     if lows[:1] == ["±"] or lows[:2] == ["(", "±"]:
         return j + 1 + (lows[0] == "(")
     return j + 3 if lows == ["plus", "or", "minus"] else None
 
 
-def _tolerance(
-    tokens: list[Token], j: int, dimension: str, unit: str, value: float
-) -> tuple[float, int] | None:
-    """``50 km/h ± 1 km/h``, ``± 5 %``: how far to either side, and where it ends."""
-    after = _tolerance_mark(tokens, j)
-    second = _second_number(tokens, after) if after is not None else None
-    if second is None or second[1] not in {dimension, "percentage"}:
-        return None
-    share = second[1] != dimension
-    return (_si(value, dimension, unit) * second[0] / 100 if share else second[0]), second[2]
-
-
-def _around(
-    tokens: list[Token], i: int, value: float, spread: tuple[float, int], dimension: str
-) -> Quantity:
-    return _build(tokens, i, spread[1], [value - spread[0], value + spread[0]], dimension)
-
-
 def _second_number(
-    tokens: list[Token], j: int, alike: tuple[str, str] | None = None
+    tokens: list[Token], j: int, alike: tuple[str, str, int] | None = None
 ) -> tuple[float, str, int, str] | None:
     """Value, dimension, end and unit of the upper bound of a range; without one, ``alike``."""
     if j >= len(tokens):
@@ -223,7 +194,7 @@ def _second_number(
     number = number_at(tokens, j)
     if number is None:
         return None
-    unit = _unit_at(tokens, j + number.length) or (alike and (*alike, 0))
+    unit = _unit_at(tokens, j + number.length) or (alike and (*alike[:2], 0))
     if unit is None:
         return None
     dimension, name, length = unit

@@ -110,7 +110,8 @@ _TOKEN = re.compile(
     r"|(?P<clock>(?<![\d:])\d{1,2}:\d{2}(?![\d:]))"
     r"|(?P<short>\b[wW]/[oO]?(?![^\s\d])|\b[xX]-(?:ing|walk)\b)"
     r"|(?P<bound>\b[NSEWnsew]/[Bb]\b)"
-    r"|(?P<unit>(?:\b|(?<=\d))(?i:m|ft)\s?(?:/|(?i:per))\s?(?i:s(?:ec)?)\.?(?:\^|\*\*)?[2²]|%)"
+    r"|(?P<unit>(?:\b|(?<=\d))(?i:m|ft)\s?(?:/|(?i:per))\s?(?i:s(?:ec)?)\.?(?:\^|\*\*)?[2²]"
+    r"|(?:\b|(?<=\d))m(?:\s?/\s?s\s?/\s?s\b|[·\s]?s\s?\^?(?:[⁻-]²|[-−]2\b))|%)"
     r"|(?P<label>[A-Za-z]{1,4}\d{1,2}(?!\w|\.\d))"
     r"|(?P<ordinal>\d{1,2}(?:st|nd|rd|th)(?!\w))"
     r"|(?P<number>\d{1,9}(?:[.,]\d{1,6})?)"
@@ -121,9 +122,10 @@ _TOKEN = re.compile(
     r"|(?P<at>(?<!\S)@(?!\w*@))"
     r"|(?P<arrow>(?:→|⇒|[-–=]{1,2}>)(?=\W*(?:\d|(?i:a |stand|stop|zero|rest|halt))))"
     r"|(?P<then>→|⇒|[-–=]{1,2}>)"
+    r"|(?P<about>[~≈]\s?(?=\d))|(?P<over>>\s?(?=\d))|(?P<under><\s?(?=\d))"
     r"|(?P<tolerance>±|\+\s?/?\s?[-−–])"
+    r"|(?P<mark>[-–—/|]|(?<=\d)\.\.(?=\d))"
     r"|(?P<punct>[.,;:!?()\[\]\n&])"
-    r"|(?P<mark>[-–—/|])"
 )
 _ORDINALS = {"1st": "first", "2nd": "second", "3rd": "third", "4th": "fourth", "5th": "fifth",
              "6th": "sixth", "7th": "seventh", "8th": "eighth"}  # fmt: skip
@@ -142,7 +144,10 @@ _MAX_WORD = 40
 
 _KINDS = ("number", "label", "clitic", "neg", "punct")
 """Groups that are a kind of their own; all others are words."""
-_SIGNS = {"tolerance": "±", "at": "at", "arrow": "to", "degrees": "degrees"}
+_SIGNS = {"tolerance": "±", "at": "at", "arrow": "to", "degrees": "degrees"} | {
+    word: word for word in ("about", "over", "under")
+}
+"""What a sign says: ``~50 km/h``, ``> 50 km/h``."""
 _BARE = frozenset({"plain", "punct"})
 
 
@@ -239,7 +244,9 @@ def _spelt(written: str, group: str) -> str:
         return low.replace("/", "")
     if group in _SIGNS:
         return _SIGNS[group]
-    return _unit(low) if group == "unit" else _ORDINALS.get(low, low)
+    if group == "unit" and low != "%":  # "m/s^2", "m / s²", "m s⁻²", "ft/sec2"
+        return "ft/s2" if low.startswith("f") else "m/s2"
+    return _ORDINALS.get(low, low)
 
 
 def _plain(low: str) -> str:
@@ -248,8 +255,3 @@ def _plain(low: str) -> str:
         return low
     plain = "".join(normalize("NFD", letter)[0] for letter in low)
     return plain if plain in load().words else low
-
-
-def _unit(written: str) -> str:
-    """``m/s^2``, ``m / s²``, ``ft/sec2``: one unit, however it is written."""
-    return written if written == "%" else f"{re.split('/|per', written)[0].strip()}/s2"
