@@ -200,9 +200,6 @@ def _ordinary(scene: Setup, involved: set[frozenset[str]], named: set[str]) -> l
         lag = PASSING_LAG_S if bystander else 0.0
         if draft.id in hit_by:  # it has come to rest by then
             lag = scene.ego.speed_mps / (2 * COMFORTABLE_BRAKING_MPS2) + HOLDS_S
-        point = drives_meet(scene.ego, draft)
-        if point is not None and point.opposed:
-            continue  # an overtaker in the oncoming lane: nobody said that it is met there
         found = _meeting(scene, priority, (scene.ego, draft), lag, "arrives together")
         if found:
             meetings += found

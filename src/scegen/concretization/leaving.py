@@ -23,12 +23,12 @@ from scegen.concretization.limits import ABRUPT_LANE_CHANGE_S, LANE_CHANGE_S
 from scegen.concretization.meetings import STRUCTURAL, Meeting
 from scegen.concretization.setup import Setup
 from scegen.concretization.stationary import blocking_m
-from scegen.concretization.tale import SIDEWAYS, SWERVING, changes_before_turning, outward
+from scegen.concretization.tale import SIDEWAYS, changes_before_turning, outward
 from scegen.concretization.turning_ways import is_outward
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import is_ring
 from scegen.scenario.acts import ActKind
-from scegen.scenario.vocabulary import HazardKind, Maneuver, ParticipantKind, Side
+from scegen.scenario.vocabulary import HazardKind, Maneuver, Side
 
 _FASTER = 1.5
 """One who overtakes drives this much faster than the one overtaken (own choice)."""
@@ -124,7 +124,7 @@ def _come_into_lane(
 def _start_and_target(scene: Setup, draft: DriveDraft, other: DriveDraft | None) -> tuple[int, int]:
     """The lane that one leaves and the one that it comes into: as they drive, or on the side said.
 
-    Where nothing is said, one comes from the inside, a rider from the kerb.
+    Where nothing is said, one comes from the inside.
     """
     wanted = (other or draft).entry_lane
     both = [each for each in (draft, other) if each is not None]
@@ -144,9 +144,6 @@ def _start_and_target(scene: Setup, draft: DriveDraft, other: DriveDraft | None)
     said = is_outward(scene.functional, draft.id, other.id) if other is not None else None
     if said is None and draft.drive.changes_to is not None:
         said = outward(scene.functional, draft.drive.changes_to) < 0
-    if said is None:
-        rides = scene.functional.participant(draft.id).kind is ParticipantKind.BICYCLE
-        said = other is not None and rides
     now = draft.entry_lane, wanted
     start, target = min(pairs, key=lambda p: (p != now, (p[0] > p[1]) != said, p[1] != wanted))
     if other is not None:
@@ -165,8 +162,6 @@ def _out_and_back(
     if kind is HazardKind.ONCOMING_LANE:
         draft.entry_lane, aside, width = min(scene.entry_lanes(draft)), 0, 0.0
         act, stays_m = None, _STAYS_ASTRAY_S * draft.speed_mps
-        if not scene.kinds_by(draft.id) & {*SWERVING, HazardKind.SUDDEN_TURN}:
-            usual = LANE_CHANGE_S
     elif width:
         pass  # within its lane
     elif act is not None and act.side is not None:

@@ -7,7 +7,7 @@ somebody meets a light, it is laid once more around everybody, when all times ar
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from math import isfinite
 from typing import NamedTuple
 
@@ -166,16 +166,6 @@ def _suiting(plan: SignalPlan, shown: Iterable[_Shown]) -> SignalPlan:
     return best
 
 
-def _wait_as_long(scene: Setup, shown: Sequence[_Shown]) -> None:
-    """Several who set off so long after green, each: one plan can suit one of them only."""
-    for draft in scene.drives.values():
-        own = next((each for each in shown if each.who == draft.id), None)
-        if own is None or draft.waits is None or scene.signals is None:
-            continue
-        early_s = _early_s(scene.signals, own)
-        draft.waits = Wait(max(draft.waits.time_s - early_s, _LEAST_WAIT_S))
-
-
 def _early_s(plan: SignalPlan, shown: _Shown) -> float:
     """By how much a plan is too early for green to begin so long before; below 0: too late."""
     group = plan.group_of(shown.arm, afoot=shown.afoot)
@@ -272,4 +262,3 @@ def set_lights(scene: Setup) -> None:
     if scene.ego.stands or any(p.light is not None for p in scene.functional.participants):
         shown = [*_driven(scene, scene.drives.values()), *_walked(scene)]
         scene.signals = _suiting(scene.signals, shown)
-        _wait_as_long(scene, [each for each in shown if each.after_s is not None])

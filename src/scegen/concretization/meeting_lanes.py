@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
-from itertools import combinations
 
 from scegen.concretization.aside import change_length_m
 from scegen.concretization.drafts import DriveDraft
@@ -81,23 +80,15 @@ def _options(scene: Setup, draft: DriveDraft) -> list[Lanes]:
     found = {Lanes(r.entry_lane, r.ring_lane, r.exit_lane) for r in scene.routes_of(draft)}
     usual = sorted(found, key=lambda o: (-o.entry, -(o.ring or 0), o.exit != o.entry, -o.exit))
     reached = {lanes_abreast(scene.functional, scene.logical, scene.road).get(draft.id)}
-    if draft.from_arm is not None:  # from where it comes out backwards
-        out = scene.network.routes.get((draft.drive.entry, draft.from_arm), ())
-        reached = {route.entry_lane for route in out}
     return [lanes for lanes in usual if lanes.entry in reached] or usual
 
 
 def _from_words(scene: Setup) -> Iterator[Wish]:
     """Who drives beside whom, on the side that is said; who is in which lane."""
-    groups: dict[str, list[str]] = {}
     for drive, other in abreast(scene.logical):
         name, reference = drive.participant, other.participant
         if {name, reference} <= scene.drives.keys():
-            groups.setdefault(reference, []).append(name)
             yield from _beside(scene, name, reference)
-    for names in groups.values():
-        for a, b in combinations(names, 2):
-            yield Wish((a, b), USUAL, _steps(lambda out: out != 0), f"{a} is not before {b}")
     for name, draft in scene.drives.items():
         participant = scene.functional.participant(name)
         if participant.lanes:
@@ -119,17 +110,13 @@ def _from_words(scene: Setup) -> Iterator[Wish]:
 
 
 def _from_dangers(scene: Setup) -> Iterator[Wish]:
-    """Who reverses does so in the lane of the other; who cuts in in a ring comes from inside."""
+    """Who hides another is passed by on the outside; who cuts in in a ring comes from inside."""
     for name, hiding in passing_who_hides(scene.functional, scene.logical.drives):
         outside = _steps(lambda out: out > 0)
         yield Wish((name, hiding), SAID, outside, f"{name} passes {hiding} by, which hides it")
     for hazard in scene.functional.hazards:
         for cause, sufferer in pairs(scene, hazard):
-            if hazard.kind is HazardKind.REVERSING and same_arm(cause, sufferer):
-                who = cause.id, sufferer.id
-                same = _steps(lambda out: out == 0)
-                yield Wish(who, LIKELY, same, f"{cause.id} reverses in the lane of {sufferer.id}")
-            elif hazard.kind is HazardKind.CUT_IN and scene.ring:
+            if hazard.kind is HazardKind.CUT_IN and scene.ring:
                 inside = cause if goes_outwards(scene, cause) else sufferer
                 yield from _inmost(scene, inside, lambda lanes: lanes.ring or 0)
 

@@ -65,8 +65,8 @@ def hide(
 ) -> ConcreteScenario:
     """The scenario with a thing for every occlusion that nobody is said to cause.
 
-    Where it is too small for that it is as large as a plain wall; where even then no place hides
-    anybody for long enough, it is left out, and the danger has nothing that causes it.
+    Where no place hides anybody for long enough it is left out, and the danger has nothing that
+    causes it.
     """
     parked = any(isinstance(p.motion, StandingMotion) for p in concrete.participants)
     for hazard in concrete.hazards:
@@ -83,11 +83,6 @@ def hide(
             thing = Thing(id=name, kind=SCREEN.kind)
         shape = shape_of(thing)
         made = _hide(concrete, network, hazard, thing, shape)
-        sized = thing.length_m is not None or thing.width_m is not None
-        if made is concrete and not sized:  # too small for who is behind it
-            wider = max(shape.length_m, SCREEN.length_m), max(shape.width_m, SCREEN.width_m)
-            larger = replace(shape, length_m=wider[0], width_m=wider[1])
-            made = _hide(concrete, network, hazard, thing, larger)
         concrete = _by_nothing(concrete, hazard) if made is concrete else made
     return concrete
 

@@ -163,15 +163,13 @@ class Walker:
 class Walk(Walker):
     """One who goes across an open road: at ``x_m`` of it, ``sets_off_s`` after the start.
 
-    ``arrives_s`` is when it is in the way of whom it meets, ``from_y_m`` where it starts, to the
-    ego's left of the centre line.
+    ``from_y_m`` is where it starts, to the ego's left of the centre line.
     """
 
     from_left: bool
     meets: str
     x_m: float = 0.0
     sets_off_s: float = 0.0
-    arrives_s: float = 0.0
     from_y_m: float = 0.0
 
     def track(self, times_s: Array) -> tuple[Boxes, Array]:

@@ -96,8 +96,6 @@ def turns_across(
 ) -> tuple[Turn, ...]:
     """The ways that these lanes need and that the usual markings do not give."""
     lanes = lanes_abreast(functional, logical, road)
-    if not lanes:
-        return ()
     usual = lane_ways(road.arms, road.driving_side)
     found: list[Turn] = []
     for drive in logical.drives:

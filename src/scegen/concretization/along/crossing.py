@@ -15,7 +15,6 @@ from scegen.concretization.along.story import Story
 from scegen.concretization.others import STOPS_SHORT_M, Walk, abreast_m
 from scegen.concretization.profile import NEVER_S
 from scegen.concretization.walkers import (
-    BEHIND_KERB_M,
     OWES,
     STOOD_S,
     Met,
@@ -86,12 +85,6 @@ def _walk(story: Story, crossing: Crossing) -> Walk:
     least = max(_HOLDS_S * pace - steady, to_aim - width if far is None else -steady)
     walk.setback_m = max(walk.gains_m + least, setback_m(story, walk, strip))
     told = _spacing(story, walk, meets.id)
-    soon_s = _until_met_s(told, walk, meets)
-    if soon_s is not None:  # so near that the other does not come by first
-        way = walk.profile.way_m(soon_s) - to_aim
-        nearest = body.front_m + max(strip / 2, BEHIND_KERB_M)  # amid those who are parked
-        if way > nearest or story.contact_wanted(participant.id, meets.id):
-            walk.setback_m = max(min(walk.setback_m, way), nearest)
     said = story.between(participant.id, meets.id, Measure.LATERAL_OFFSET_M)
     if said is not None and said.at == START:  # it waits so far aside of the other
         left = said.value.middle * (1 if said.participant == participant.id else -1)
@@ -105,9 +98,6 @@ def _walk(story: Story, crossing: Crossing) -> Walk:
     first = next(iter(story.walks.values()), None)
     if first is not None and crossing.arm in story.functional.junction.crosswalks:
         walk.x_m = first.x_m
-        if not walk.timed:
-            walk.sets_off_s = max(first.arrives_s - takes, _LEAST_LEAD_S)
-    walk.arrives_s = walk.sets_off_s + takes
     walk.x_m += abreast_m(len(story.walks))
     walk.from_y_m = edge - into * walk.setback_m
     return walk
@@ -121,13 +111,6 @@ def _meets(story: Story, name: str) -> str:
     owing = (n for n in story.runners if name in story.endangered_by(n, OWES))
     suffering = (n for n in story.endangered_by(name) if n in story.runners)
     return next(chain(owing, suffering), story.ego.id)
-
-
-def _until_met_s(told: _Told | None, walk: Walk, meets: Runner) -> float | None:
-    """How long the other takes to its line from when it sets off, where that is said."""
-    if told is None or told.act is None or told.act is walk.stop or meets.speed_mps <= 0.0:
-        return None
-    return told.value / meets.speed_mps if told.measure is Measure.GAP_M else told.value
 
 
 def _time(story: Story, walk: Walk, meets: Runner, told: _Told | None, takes: float) -> None:

@@ -172,8 +172,6 @@ def _met_s(runner: Runner, ego: Runner, closest_s: float) -> float:
     """When it matters most where somebody is: as it moves aside, as it meets who comes along."""
     if runner.moves:
         return min(move.begins_s for move in runner.moves)
-    if runner.forward == ego.forward:
-        return closest_s
     times = [closest_s * n / 50 for n in range(101)]
     return min(times, key=lambda t: abs(runner.x_m(t) - ego.x_m(t)))
 

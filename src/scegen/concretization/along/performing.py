@@ -35,8 +35,6 @@ from scegen.scenario.vocabulary import HazardKind, Side
 _AT_ONCE_S = 0.3
 """Between two acts of one driver where the next follows at once: long enough to be two acts."""
 _LATE_S, _LOOK_S = 60.0, 0.02
-_SHIES_S = 0.3
-"""Who swerves for a door that opens does so sooner than one brakes: a simple reaction."""
 _SAME_MPS = 0.5
 _CLEAR_OF_DOOR_M = 1.2
 _PASSES_S, _SHIES_FOR_S = 1.0, 1.3
@@ -111,9 +109,6 @@ def _moment_s(story: Story, act: Act, *, placed: bool) -> float:
     own = [story.ends_s[a.id] for a in story.acts_of(act.participant) if a.id in story.ends_s]
     if own:
         return max(own) + HOLDS_S
-    door = door_before(story, act.participant)
-    if act.kind is ActKind.SWERVE and door is not None:
-        return door.appears_s + _SHIES_S
     by_ramp = story.merging - story.joined
     first_s = FIRST_ACT_S + (ON_RAMP_S if act.participant in by_ramp else 0.0)
     told = [a for a in story.acts[: story.acts.index(act)] if a.id in story.begins_s]

@@ -18,12 +18,9 @@ from scegen.concretization.along.spacing import (
     place,
 )
 from scegen.concretization.along.story import FIRST_ACT_S, Story
-from scegen.concretization.amounts import CLOSEST_M
 from scegen.concretization.limits import (
     HOLDS_S,
     LANE_CHANGE_S,
-    LATE_BRAKING_MPS2,
-    REACTION_S,
     TAILGATING_HEADWAY_S,
 )
 from scegen.concretization.profile import NEVER_S
@@ -38,7 +35,6 @@ from scegen.scenario.vocabulary import Approach, HazardKind
 _FOLLOWING_S = 1.8
 """The time gap of ordinary following: a little below the two seconds of driving schools."""
 _BRAKES_AT_S = 1.1
-_LEAVES_AT_S = 1.2
 _CLOSES_IN_S = 7.0
 _LEAST_FREE_M = 20.0
 _CUTS_IN_S = 0.6
@@ -48,10 +44,7 @@ _MEETS_S = 6.5
 _SLOWER_MPS = 0.5
 _STOPS_BEFORE_M = 1.0
 _AT_REST_S = 60.0
-_A_LITTLE_S = 0.1
 _PASSED_M = 2.0
-_HIT_AFTER_S = 1.2
-"""Who is to run into a door that opens does so when it is open."""
 
 
 def place_all(story: Story, *, wider: float = 1.0) -> None:
@@ -230,10 +223,6 @@ def _usual(
     story: Story, front: Runner, back: Runner, wider: float
 ) -> tuple[Measure, float, float] | None:
     """The measure that two of one direction usually have, and when; None: side by side."""
-    door = next((each for each in (front, back) if each.opens), None)
-    if door is not None:
-        met = back if door is front else front
-        return Measure.TTC_S, _seen_before_s(story, door, met) * wider, door.appears_s
     backing = next((each for each in (front, back) if each.backs), None)
     if backing is not None:
         met = back if backing is front else front
@@ -242,21 +231,15 @@ def _usual(
     over = comes_in(front, back)
     if over is not None:
         return None if _side_on(story, front, back) else _cutting_in(front, back, over, wider)
-    let_by = comes_in(back, front) if story.lets_by(back.id, front.id) else None
-    if let_by is not None:
-        return Measure.HEADWAY_S, _CUTS_IN_S * wider, let_by.begins_s
     if front.lane != back.lane:
         names = front.id, back.id
         words = (words_between(story.functional, *each) for each in (names, names[::-1]))
         diagonal = frozenset().union(*words) & {Approach.AHEAD, Approach.BEHIND}
         return (Measure.HEADWAY_S, 1.0, FIRST_ACT_S) if diagonal else None
-    leaves = next((m for m in front.moves if m.lane != back.lane), None)
-    if leaves is not None:
-        return Measure.HEADWAY_S, _LEAVES_AT_S * wider, leaves.begins_s
-    moving_away = back.moves[0] if back.moves else None
     if front.stands and back.speed_mps > 0 and back.speed_at_mps(_AT_REST_S) == 0.0:
         return Measure.GAP_M, _STOPS_BEFORE_M, _AT_REST_S
     if front.speed_mps < back.speed_mps - _SLOWER_MPS:
+        moving_away = back.moves[0] if back.moves else None
         if moving_away is not None and moving_away.lane != front.lane:
             return Measure.TTC_S, _REVEALED_S * wider, moving_away.begins_s
         return _closing_in(story, front, back, wider)
@@ -288,15 +271,6 @@ def _cutting_in(
     closing = back.speed_mps - front.speed_at_mps(over.begins_s)
     gap = max(_CUTS_IN_S * back.speed_mps, _CLOSING_CUT_S * closing, 4.0)
     return Measure.GAP_M, gap * wider, over.begins_s
-
-
-def _seen_before_s(story: Story, door: Runner, other: Runner) -> float:
-    """How long before one comes a door opens: as long as one takes to react and to stop short."""
-    speed = other.speed_at_mps(door.appears_s)
-    if story.contact_wanted(door.id, other.id) or speed <= 0.0:
-        return _HIT_AFTER_S
-    stops = speed / (2 * LATE_BRAKING_MPS2) + CLOSEST_M / speed
-    return max(_HIT_AFTER_S, REACTION_S + stops + _A_LITTLE_S)
 
 
 def _headway_s(story: Story, front: Runner, back: Runner, wider: float) -> float:
