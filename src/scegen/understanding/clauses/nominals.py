@@ -267,7 +267,9 @@ def _whole(part: NounPhrase, state: State) -> tuple[NounPhrase, int]:
 
 
 def _emphasises(mention: Mention, state: State) -> bool:
-    """``the van itself changes lanes``: the pronoun adds nothing to the noun before it."""
+    """``the van itself brakes``, ``the van, not the bus, brakes``: nobody else than the van."""
+    if mention.negated and state.waiting is not None and state.between <= {",", "and", "conj"}:
+        return True
     if mention.pronoun != "reflexive" or state.between or state.prep is not None:
         return False
     mention.same_as = state.anchor if isinstance(state.anchor, Mention) else None

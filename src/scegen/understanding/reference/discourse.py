@@ -116,11 +116,9 @@ def _of_two(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Ent
         the_ego(roster, ParticipantKind.CAR, Basis(mention.i, mention.j))
     here = [e for e in roster.entities if e not in exclude]
     cars = [e for e in here if e.kind is ParticipantKind.CAR]  # besides a lorry
-    loosely = any(e.ego for e in here) and all(e.is_vehicle for e in here)
-    cars = here if loosely and len(cars) < _A_PAIR else cars  # the ego and a van
-    meant = cars if words in word_list("two_cars") else []
-    meant = here if words in word_list("two_of_them") else meant
-    return list(meant) if len(meant) == _A_PAIR else []
+    meant = [cars] if words in word_list("two_cars") else [here]
+    named = (*meant, [e for e in here if e.is_vehicle], roster.joined, roster.others(exclude))
+    return next((list(two) for two in named if told and len(two) == _A_PAIR), [])
 
 
 def _share(roster: Roster, mention: Mention, whole: list[Entity]) -> list[Entity]:

@@ -40,10 +40,12 @@ def known(
     if included or mention.listed:
         return included or roster.claim(reading.count, exclude, reading)
     if reading.plural and det == "other":
-        if mention.mod("num") is not None:
-            return roster.claim(reading.count, exclude, reading)
+        if mention.mod("num") is not None or mention.has("quant", "both"):
+            free = roster.claim(reading.count, exclude, reading)
+            return free or roster.others(exclude, reading.count)
         rest = [e for g in roster.groups[-1:] for e in g.members if e not in exclude]
-        if rest and all(roster.compatible(e, reading) for e in rest):
+        rest = [e for e in rest or roster.others(exclude) if not e.ego]
+        if len(rest) > 1 and all(roster.compatible(e, reading) for e in rest):
             return rest  # "three other cars …; one of the other cars"
     if reading.plural:
         return _several(roster, reading, mention, exclude)

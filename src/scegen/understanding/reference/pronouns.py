@@ -40,6 +40,7 @@ def of_pronoun(
         told = [e for e in roster.subject if not e.ego]  # "both …; the other", "each … the other"
         told = told[-1:] if len(roster.subject) == _TWO else []
         left = roster.besides(exclude)
+        left = [e for e in left if not e.ego] or left
         rest = roster.claim(1, exclude) or (left if len(left) == 1 else told)
         return rest or [roster.new(ParticipantKind.CAR, basis)]
     if which == "ordinal" and (found := _ordinal(roster, mention, exclude)):
@@ -168,6 +169,8 @@ def _ordinal(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[En
     group = roster.groups[-1].members if roster.groups else named
     if mention.label in {"former", "latter"}:
         two = [e for e in roster.recent if e not in exclude]
+        beside = [e for e in two if roster.landmark is None or e not in roster.landmark[0]]
+        two = beside if len(beside) > 1 else two  # "a van ahead of the ego, a bus behind the ego"
         two = two if len(two) > 1 else group  # "the ego follows a bus; a van passes the latter"
         group = list(two[-2:]) if position == 0 or not roster.pair else roster.pair
         roster.pair = group if position == 0 else []
@@ -196,6 +199,7 @@ def _counted(roster: Roster, mention: Mention, exclude: list[Entity], basis: Bas
             return list(told[-1])  # "the slower of the two"
     left = [e for e in whole if not e.some]  # "six vehicles: … three cars; one of the cars …"
     free = (roster.claim(count, exclude) or left[:count]) if which != "further" else []
+    free = free or (roster.others(exclude, count) if which == "others" else [])
     alike = [e.kind for e in roster.recent if not e.ego and which in {"further", "one"}]
     kind = (alike or [ParticipantKind.CAR])[-1]
     if which in {"others", "further"} and not free:

@@ -136,6 +136,11 @@ class Roster:
         """The vehicles besides those just spoken of."""
         return [e for e in self.entities if e.is_vehicle and e not in (*exclude, *self.subject)]
 
+    def others(self, exclude: list[Entity], count: int | None = None) -> list[Entity]:
+        """The vehicles besides the ego; if a number is given, only if they are so many."""
+        found = [e for e in self.entities if e.is_vehicle and not (e.ego or e in exclude)]
+        return found if count in {None, len(found)} else []
+
     def together(self, exclude: list[Entity]) -> list[Entity]:
         """The last group, or the last two."""
         if self.groups and len(self.groups[-1].members) > 1:

@@ -136,7 +136,9 @@ def _must_be_verb(match: Match, tokens: list[Token], previous: Term) -> bool:
     if previous.cat == "quant" and previous.value in {"all", "both"}:
         single = tokens[previous.i].low in word_list("each_one")  # "everybody brakes"
         return single or not (match.has(*_NOUNS) and match.form == "s")
-    if previous.cat == "num" and previous.data.get("number", 0) > 1 and match.form == "base":
+    several = previous.cat == "num" and previous.data.get("number", 0) > 1
+    several = several or (previous.cat, previous.form) == ("det", "s")  # "the others brake"
+    if several and match.form == "base":
         return not noun_follows(tokens, match.j)
     if match.form != "s":
         return False
