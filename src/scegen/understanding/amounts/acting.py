@@ -209,10 +209,13 @@ def _continued(doing: Doing, found: list[Doing], text: Telling) -> bool:
         return joined
     if pair == (ActKind.STOP, ActKind.CROSS):
         return any(d.kind is ActKind.CROSS and d.entity is doing.entity for d in found)
-    if pair != (ActKind.BRAKE, ActKind.STOP) or not joined:
-        return False
-    if text.find("holding_at", before.i, doing.i) is not None:
-        return False  # "brakes, keeps 20 km/h for 4 s and stops"
+    over = any(scene.event.perfect for scene in text.within(doing.i, doing.i + 1))
+    if pair != (ActKind.BRAKE, ActKind.STOP) or not (joined or over):
+        return False  # "brakes and stops", "brakes … once it has stopped"
+    slower = [k for k in range(before.i, doing.i) if text.tokens[k].low == "to"]
+    slower = [k for k in slower if _changed(text, k + 1, k + 2) and text.tokens[k + 1].low != "0"]
+    if slower or text.find("holding_at", before.i, doing.i) is not None:
+        return False  # "brakes to 30 km/h and stops", "brakes, keeps 20 km/h for 4 s and stops"
     before.amounts.setdefault("target_speed_mps", Amount(STILL, doing.basis))
     before.told.append(doing.i)
     return True

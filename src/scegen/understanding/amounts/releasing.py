@@ -162,18 +162,21 @@ def order(text: Telling) -> None:
         doing.when = doing.when or (alike[0].when if alike else None)
     acts = sorted(acts, key=lambda a: _moment(a, text))
     for n, (doing, before) in enumerate(zip(acts[1:], acts, strict=False), start=1):
-        awaited = before.when is not None and before.when.act is doing
-        if doing.when is not None or awaited:
+        if doing.when is not None:
             continue
         together = doing.i == before.i  # "both return"
-        phrase = _then(before, doing, text) if not together else None
+        awaits = {id(a) for a in acts[:n] if a.when is not None and a.when.act is doing}
+        phrase = _then(before, doing, text) if not (together or id(before) in awaits) else None
         basis = Basis(*phrase) if phrase is not None else doing.basis
         own = before.entity is doing.entity
-        sure = [a for a in acts[:n] if a.always and a.i != doing.i]
+        sure = [a for a in acts[:n] if a.always and a.i != doing.i and id(a) not in awaits]
         mine = [a for a in sure if a.entity is doing.entity]
         told = before.always or bool(before.amounts) or doing.always
         if phrase is not None and (told or not own):
-            doing.when = Trigger("after", basis, _at_once(before, doing, text), before)
+            # "brakes before the ego turns": not that it is over by then
+            begun = not own and text.low(*phrase) == " before "
+            at_once = _at_once(before, doing, text)
+            doing.when = Trigger("after", basis, at_once, before, "begin" if begun else "end")
         elif doing.forced and sure and sure[-1].entity is not doing.entity and not together:
             basis = basis.because("what one has to do answers what the other does")
             doing.when = Trigger("after", basis, act=sure[-1], since="begin")
@@ -198,9 +201,14 @@ def _moment(doing: Doing, text: Telling) -> float:
 
 
 def _then(before: Doing, doing: Doing, text: Telling) -> tuple[int, int] | None:
-    start = max(before.basis.j or before.i, text.bounds(doing.i)[0])
+    start = text.bounds(doing.i)[0]  # there "before it brakes, the ego swerves" begins
+    start = start if before.i > doing.i else max(before.basis.j or before.i, start)
     span = text.find("then", start, doing.i)
-    return span if span is not None and text.tokens[span[0]].low != "before" else None
+    if span is None or text.tokens[span[0]].low != "before":
+        return span
+    told = [scene.event for scene in text.within(doing.i, doing.i + 1)]
+    goes_on = before.entity is doing.entity or any(e.finite and not e.embedded for e in told)
+    return span if goes_on else None  # "halts before a man crossing there": a place, no order
 
 
 def _at_once(before: Doing, doing: Doing, text: Telling) -> Amount | None:
@@ -229,8 +237,8 @@ def _clauses(text: Telling) -> None:
     """``as soon as the lead brakes, the ego changes lanes``."""
     for chunk in text.subs:
         opening = text.low(chunk.i, chunk.j).strip()
-        because = opening in {"because", "since"}
-        if not because and (opening not in word_list("triggers") or opening in {"if", "until"}):
+        once = chunk.value == "once" or opening in {"because", "since"}
+        if not once and (opening not in word_list("triggers") or opening == "until"):
             continue
         start, stop = text.bounds(chunk.i)
         if chunk.j >= stop or quantity_at(text.tokens, chunk.j) is not None:
@@ -241,7 +249,7 @@ def _clauses(text: Telling) -> None:
         main = _set_off(chunk, start, end, outside, text)
         if not inside or main is None or main.when is not None:
             continue
-        if opening == "when" and not main.always:
+        if opening == "when" and not main.always and chunk.i > start:
             continue  # "passes a bus when a child runs out": what goes on meanwhile
         first = inside[0]
         over = any(c.event.perfect for c in text.within(chunk.j, end))

@@ -15,7 +15,7 @@ from scegen.understanding.clauses.attachment import outside, preposition, releas
 from scegen.understanding.clauses.dependents import chain
 from scegen.understanding.clauses.further import close_relative
 from scegen.understanding.clauses.nominals import read_mention, read_noun
-from scegen.understanding.clauses.state import State
+from scegen.understanding.clauses.state import State, only_then
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import (
     ADVERBS,
@@ -90,6 +90,8 @@ class ClauseReader:
             return  # "and after 3 s brakes": a moment, no clause
         ends = word.value == "," or word.cat in {"conj", "sub"}
         denied = ends and state.at(-1).cat == "neg"
+        if word.data.get("holds"):
+            only_then(word, state)
         if denied and isinstance(following, Mention):  # "It can't, we ram it"
             state.between = {w for w in state.between if not w.startswith(("neg:", "aux:"))}
         state.between.add(word.value if word.cat in {"punct", "conj"} else word.cat)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Prep
-from scegen.understanding.phrases.lookahead import chunk_at, finite_follows
+from scegen.understanding.phrases.lookahead import chunk_at, finite_follows, sentence_end
 from scegen.understanding.words.terms import Term
 
 
@@ -101,3 +101,14 @@ class State:
     def last(self) -> Event | None:
         """The last event of the sentence."""
         return self.events[-1] if self.events else None
+
+
+def only_then(until: Term, state: State) -> None:
+    """``does not stop until the van has passed``, ``not until …``: it does so, but then."""
+    rest = state.chunks[state.k : sentence_end(state.chunks, state.k)]
+    comes = {c.name if isinstance(c, Event) else c.cat for c in rest if c.cat in {"", "quantity"}}
+    held = [e for e in state.events if e.negated and not e.unable]
+    if (held or state.at(-1).cat == "neg") and comes - {""} and "collide" not in comes:
+        for event in held:
+            event.negated = False
+        state.chunks[state.k] = replace(until, value="once")
