@@ -160,7 +160,8 @@ def _names(terms: list[Term], k: int, tokens: list[Token]) -> bool:
     if k and terms[k - 1].cat not in _OPENERS:
         return False
     acts = (after.cat == "verb" and after.form in _VERBAL) or after.cat in {"aux", "copy"}
-    return acts or after.cat == "actor" or after.value in {"(", ","}
+    told = after.value == "," and term_at(terms, k + 2).value != "def"  # "Second, the ego brakes"
+    return acts or told or after.cat == "actor" or after.value == "("
 
 
 _FIRST_WORDS = frozenset({"det", "num"})

@@ -12,7 +12,8 @@ from scegen.understanding.lexicon import abbreviations, load
 from scegen.understanding.words.lemmas import lemmas, meant
 
 _ITEM = re.compile(
-    r"(?:^|(?<=\n))[ \t]*(?P<item>[-*•–][ \t]+|\(?(?:\d{1,2}|[a-z])(?:\.|\))[ \t]+(?=[^\W\d]))"
+    r"(?:(?:^|(?<=\n))[ \t]*|(?<=[.;] )(?=\(?\d)|(?<=[:,] )(?=\(?\d+\)))"
+    r"(?P<item>[-*•–][ \t]+|\(?(?:\d{1,2}|[a-z])(?:\.|\))[ \t]+(?=[^\W\d]))"
 )
 """``- ego``, ``2. the car``, ``b) it``: what opens an item of a list."""
 _BREAK = re.compile(r"[^\S\n]*\n\s*")
@@ -136,7 +137,7 @@ _LETTERS = re.compile(
 """Full stops after single letters that shorten a word."""
 _WITHIN = re.compile(r"\.(?=\s*[a-z0-9(,;]|\s[A-Z][-.]?\d|[MEGS]\b)")
 """What a full stop that only shortens a word has after it: no capital letter, as a sentence has."""
-_LAYOUT = re.compile(r"\n|,[^,.;!?]{1,40}:|\s[-–—/|]|—|\.{3}|^\W*\(?\w{1,2}[.)]\s")
+_LAYOUT = re.compile(r"\n|,[^,.;!?]{1,40}:|\s[-–—/|]|—|\.{3}|(?:^\W*|[.,:;] )\(?\w{1,2}[.)]\s")
 """What texts have whose layout says something."""
 _MAX_WORD = 40
 """Longer runs of letters are no words; cutting them keeps look-ups cheap."""
