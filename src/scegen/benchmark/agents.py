@@ -16,23 +16,14 @@ from scegen.benchmark.understand import Described, Result, StoppedError, about_t
 from scegen.errors import InputError
 from scegen.llm import FaultKind, LlmSettings
 from scegen.llm.budget import Ledger
+from scegen.llm.session import OF_ONE_ANSWER
 from scegen.llm.usage import Usage
 from scegen.scenario.functional import FunctionalScenario
 from scegen.understanding.agents import Understanding, understand
 
 _PATIENCE = 3
 """Readings in a row without an answer after which a provider counts as gone."""
-_GONE = frozenset(
-    {
-        FaultKind.AUTHENTICATION,
-        FaultKind.NOT_FOUND,
-        FaultKind.REJECTED,
-        FaultKind.RATE_LIMIT,
-        FaultKind.SERVER,
-        FaultKind.TIMEOUT,
-        FaultKind.CONNECTION,
-    }
-)
+_GONE = frozenset(FaultKind) - OF_ONE_ANSWER - {FaultKind.BUDGET}
 _LATENCY_FILE = "latency.json"
 
 

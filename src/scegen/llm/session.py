@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 Progress = Callable[[str], None]
-_OF_ONE_ANSWER = frozenset(
+OF_ONE_ANSWER = frozenset(
     {
         FaultKind.NO_ANSWER,
         FaultKind.REFUSED,
@@ -153,7 +153,7 @@ class Session:
                 answer = _in_a_loop(line, consult)
             except LlmError as error:
                 faults.append(error.fault)
-                if error.fault.kind not in _OF_ONE_ANSWER:
+                if error.fault.kind not in OF_ONE_ANSWER:
                     self._silent[line.chain] = error.fault
             else:
                 used += line.usage(before)

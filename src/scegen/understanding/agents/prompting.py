@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Mapping
 from enum import StrEnum
 from functools import lru_cache
 from string import Template
+from textwrap import indent
 
 from scegen.llm.prompting import data_rule, listed, prompt_file, version_of
 from scegen.scenario.acts import ActKind
@@ -98,14 +99,10 @@ def _file(name: str) -> Template:
 
 def _words(table: Callable[[Iterable[StrEnum]], str]) -> dict[str, str]:
     """What fills the places in the prompts; ``table`` shows words that are to be defined."""
-    words = {name: _indented(table(members)) for name, members in _DEFINED.items()}
+    words = {name: indent(table(members), "  ") for name, members in _DEFINED.items()}
     words |= {name: listed(members) for name, members in _NAMED.items()}
     words["arm_counts"] = ", ".join(
         f"`{kind}` {low}" if low == high else f"`{kind}` {low} to {high}"
         for kind, (low, high) in ARM_COUNTS.items()
     )
     return words
-
-
-def _indented(table: str) -> str:
-    return "\n".join(f"  {line}" for line in table.splitlines())

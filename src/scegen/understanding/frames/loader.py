@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache, lru_cache
-from importlib.resources import files
 from typing import Any
 
 from scegen.scenario.acts import ActKind
-from scegen.scenario.parsing import parse
+from scegen.understanding.lexicon import loader
 
 _BESIDE = ("before", "next", "named")
 """Where one phrase of all these has to be."""
@@ -35,8 +34,7 @@ class AmountFrame:
 @cache
 def read(name: str) -> Any:  # noqa: ANN401 - the shape differs from file to file
     """What a file of this package holds."""
-    text = files(__package__).joinpath(f"{name}.yaml").read_text(encoding="utf-8")
-    return parse(text, where=f"{name}.yaml")
+    return loader.read(name, __package__)
 
 
 @cache

@@ -54,8 +54,9 @@ class Lexicon:
     unit_words: frozenset[str]
 
 
-def _read(name: str) -> Any:  # noqa: ANN401 - the shape differs from file to file
-    text = files(__package__).joinpath(f"{name}.yaml").read_text(encoding="utf-8")
+def read(name: str, package: str = __package__) -> Any:  # noqa: ANN401 - each file has its shape
+    """What a file of a package holds."""
+    text = files(package).joinpath(f"{name}.yaml").read_text(encoding="utf-8")
     return parse(text, where=f"{name}.yaml")
 
 
@@ -73,7 +74,7 @@ def load() -> Lexicon:
     root = Node()
     words: set[str] = set()
     for name in _ENTRY_FILES:
-        for record in _read(name):
+        for record in read(name):
             extra = {k: v for k, v in record.items() if k not in {"cat", "value", "words"}}
             entry = Entry(record["cat"], record["value"], extra)
             for phrase in record["words"]:
@@ -84,12 +85,12 @@ def load() -> Lexicon:
                 words.update(phrase.split())
     units = {
         tuple(spelling.split()): (dimension, unit)
-        for dimension, units in _read("units").items()
+        for dimension, units in read("units").items()
         for unit, spellings in units.items()
         for spelling in spellings
     }
     words.update(word for spelling in units for word in spelling)
-    irregular = {word: (base, form) for word, (base, form) in _read("irregular").items()}
+    irregular = {word: (base, form) for word, (base, form) in read("irregular").items()}
     unit_words = frozenset(spelling[0] for spelling in units)
     return Lexicon(root, frozenset(words), irregular, units, unit_words)
 
@@ -97,7 +98,7 @@ def load() -> Lexicon:
 @lru_cache(maxsize=1)
 def load_contexts() -> list[dict[str, Any]]:
     """The rows that tell what a term is by the words around it."""
-    return [*_read("contexts"), *_read("talk")]
+    return [*read("contexts"), *read("talk")]
 
 
 @cache
@@ -110,7 +111,7 @@ def word_lists(file: str) -> dict[str, frozenset[str]]:
     Raises:
         TypeError: names a word that YAML takes for a truth value or a number.
     """
-    lists = _read(file)
+    lists = read(file)
     for name, words in lists.items():
         if not all(isinstance(word, str) for word in words):
             msg = f"{file}.yaml: what stands in {name!r} must be quoted"
@@ -121,7 +122,7 @@ def word_lists(file: str) -> dict[str, frozenset[str]]:
 @lru_cache(maxsize=1)
 def abbreviations() -> dict[str, str]:
     """What is meant by each short form of a word; a form that nobody writes out means itself."""
-    full: dict[str, list[str]] = _read("abbreviations")
+    full: dict[str, list[str]] = read("abbreviations")
     return {s: s if word == "itself" else word for word, short in full.items() for s in short}
 
 
