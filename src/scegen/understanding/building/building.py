@@ -242,17 +242,15 @@ class Builder:
 
     def _hazard(self, danger: Danger) -> Hazard:
         on_foot = danger.kind in {HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_ANIMAL}
-        to = [e for e in danger.to if e not in danger.by and not (on_foot and self._passed(e))]
+        # who stands or is overtaken hides those who come out in front: they meet somebody else
+        passed = self.draft.suffering(HazardKind.OVERTAKING) if on_foot else []
+        to = [e for e in danger.to if not (e in danger.by or e in passed or (on_foot and e.still))]
         self.proofs.add(f"hazards.{danger.kind.value}", danger.basis)
         return Hazard(
             kind=danger.kind,
             by=tuple(e.name for e in (*danger.by, *danger.items)),
             to=tuple(e.name for e in to),
         )
-
-    def _passed(self, entity: Entity) -> bool:
-        """Who stands or is overtaken hides those who come out in front: they meet somebody else."""
-        return entity.still or entity in self.draft.suffering(HazardKind.OVERTAKING)
 
     def _unsupported(self) -> tuple[Unsupported, ...]:
         found = []

@@ -167,7 +167,9 @@ def size_of_lanes(terms: Sequence[Term], k: int, tokens: list[Token]) -> tuple[s
 
     None where a term gives neither that can be built.
     """
-    lanes = [t for t in terms if _is_lane(t) or _names_it(t, tokens)]
+    plain = [t for t in terms if (t.cat, t.value) == ("place", "lane")]
+    plain = [t for t in plain if not {"ranked", "dir"} & {*t.data}]  # as any other of the road
+    lanes = [t for t in terms if t in plain or _names_it(t, tokens)]
     ending = [t for t in terms if "auxiliary" in t.data]
     for name, named, limits, how in (
         ("lane_width_m", lanes, LANE_WIDTHS_M, "wide"),
@@ -206,8 +208,3 @@ def _names_it(term: Term, tokens: list[Token]) -> bool:
     """``lane width``."""
     words = [t.low for t in tokens[term.i : term.j]]
     return words[:1] == ["lane"] and words[-1] in word_list("wide")
-
-
-def _is_lane(term: Term) -> bool:
-    """A lane as any other of the road."""
-    return (term.cat, term.value) == ("place", "lane") and not {"ranked", "dir"} & {*term.data}

@@ -28,7 +28,9 @@ def _attributive(match: Match, tokens: list[Token], previous: Term) -> bool:
     measured = following is not None and apart and _with_a_number(match, following, tokens)
     # "the van cuts out, stopped car ahead": nobody stops a car
     rests = previous.value == "," and match.form == "ed" and match.get("verb").value in _RESTS
-    if not ((measured or rests or _may_describe(previous)) and noun_follows(tokens, match.j)):
+    # after a subject or a comma it is a verb: "a van overtaking cars", "…, overtaking cars"
+    describes = measured or rests or (apart and previous.value != ",")
+    if not (describes and noun_follows(tokens, match.j)):
         return False
     adverb = previous.cat in {"conj", "manner", "sub"}
     singular = following is not None and following.has("actor") and following.form == "base"
@@ -73,14 +75,6 @@ def _single_one(tokens: list[Token], j: int) -> bool:
 def is_adverb(token: Token) -> bool:
     """Whether a word ends like an adverb, or is one of time or place ("and later brakes")."""
     return token.low.endswith("ly") or token.low in word_list("adverbs")
-
-
-def _may_describe(previous: Term) -> bool:
-    """Whether a participle here can describe the noun that follows.
-
-    After a subject or a comma it is a verb: "a van overtaking cars", "…, overtaking cars".
-    """
-    return previous.cat not in _VERBAL_BEFORE and previous.value != ","
 
 
 def _verb_or_other(match: Match, tokens: list[Token], previous: Term) -> tuple[Entry, bool]:
