@@ -125,6 +125,8 @@ class Telling:
         named = [e for e in reversed(near) if e in others]
         placed = self.context.placed
         ahead = [e for e in others if placed(e, Approach.AHEAD) or "ahead" in e.dirs | e.loci]
+        farther = [e for e in ahead for o in ahead if (e, {Approach.AHEAD}) in self.stand(e, o)]
+        ahead = [e for e in ahead if e not in farther] or ahead  # "a bus drives ahead of the van"
         moving = [e for e in ahead if e.stands is None and not e.parked]
         free = [e for e in others if not e.parked]
         by_name = ([e for e in named if e in some] for some in (moving, ahead))
