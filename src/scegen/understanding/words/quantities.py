@@ -92,10 +92,10 @@ def quantity_at(tokens: list[Token], i: int) -> Quantity | None:
     return Quantity(row[0].dimension, value, i, row[-1].j, None, parts, joined=True)
 
 
-def _row_at(tokens: list[Token], i: int) -> list[Quantity]:
+def _row_at(tokens: list[Token], i: int, most: int = _TEN) -> list[Quantity]:
     """``70, 60 and 50 km/h``, ``70 km/h and about 50 km/h``, ``70/60/50 km/h``.
 
-    Times are in a row only with one unit: not "for 1.5 s and 4 s later".
+    No more than ten; times only with one unit: not "for 1.5 s and 4 s later".
     """
     one, number = _one_at(tokens, i), number_at(tokens, i)
     if one is None and (number is None or _names_a_lane(tokens, i, number)):
@@ -106,8 +106,9 @@ def _row_at(tokens: list[Token], i: int) -> list[Quantity]:
     slash = k == j and one is None
     while low_at(tokens, k) in word_list("about"):
         k += 1
-    goes_on = k < len(tokens) and (slash or (k > j and (one is None or one.dimension != "time")))
-    rest = _row_at(tokens, k) if goes_on else []
+    timed = one is not None and one.dimension == "time"
+    goes_on = slash or (k > j and not timed)
+    rest = _row_at(tokens, k, most - 1) if goes_on and most > 1 and k < len(tokens) else []
     if slash:
         rest = [part for q in rest for part in q.singly]
     if one is None and rest:
