@@ -6,7 +6,6 @@ from scegen.understanding.amounts.figures import Figure, has_a_size
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.lexicon import word_list
 
-_ROLES = frozenset({"speed", "rate", "gap", "headway", "ttc", "lateral_gap", "duration", "driven"})
 INSTEAD = "it is said of what takes no part; left out"
 
 
@@ -15,7 +14,7 @@ def of_something_else(figure: Figure) -> bool:
 
     Phrases do so that name no measure: "in a wind of 15 m/s", not "at a minimum gap of 20 m".
     """
-    if figure.role not in _ROLES:
+    if figure.role not in word_list("of_somebody"):
         return False
     text, known, foreign, apart = figure.text, False, False, False
     acting = {s.event.i for s in text.scenes if s.actors or s.event.nominal}
