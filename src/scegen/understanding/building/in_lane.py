@@ -119,8 +119,6 @@ def lanes_of(entity: Entity, junction: Junction) -> frozenset[int]:
         return frozenset()
     if name == "middle":
         return frozenset({count // 2 + 1}) if count >= _FEWEST_WITH_A_MIDDLE else frozenset()
-    if name.isdigit():
-        return frozenset({int(name)}) if int(name) <= count else frozenset()
     inner = "right" if junction.driving_side is DrivingSide.LEFT else "left"
     number, _, side = name.partition(" from ")
     if side:

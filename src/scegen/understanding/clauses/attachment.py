@@ -55,13 +55,6 @@ def release(state: State) -> None:
         state.prep = None
 
 
-def _counts_lanes(prep: Prep, before: Prep | None) -> bool:
-    """``on a road with two lanes in each direction, a car …``: so many lanes, nobody is there."""
-    lanes = before.place if before is not None else None
-    right_before = lanes is not None and lanes.kind == "lane" and lanes.j == prep.word.i
-    return right_before and prep.names("direction")
-
-
 def _shared(prep: Prep, state: State) -> None:
     """``behind or beside it``: both are of the same one."""
     last = state.last_prep
@@ -73,12 +66,11 @@ def _shared(prep: Prep, state: State) -> None:
 def attach(prep: Prep, state: State) -> None:
     """Gives a phrase to who follows it, the noun right before it, the verb, or who acts."""
     _shared(prep, state)
-    before, state.last_prep = state.last_prep, prep
+    state.last_prep = prep
     cause = prep.value == "due" and not state.events and state.candidate is None
     if prep.fronted or cause:  # "because of a parked van the ego does not see the child"
         _of_the_one_listed(prep, state)
-        if not _counts_lanes(prep, before):
-            state.fronted.append(prep)
+        state.fronted.append(prep)
         return
     prep.on_mention = _noun(prep, state)
     if prep.on_mention is not None:
@@ -145,8 +137,8 @@ def _told_of(prep: Prep, state: State) -> Event:
     since = (c for c in state.chunks[: state.k] if c.i >= outer.j)
     aside = sum(c.value == "," for c in since if isinstance(c, Term)) % 2 == 0  # ", at speed, …"
     due = prep.value == "due"  # "does not see a child, who crosses, because of a van"
-    closed = "," in state.between and (prep.names("side") or prep.outer == "from" or due)
-    closed = closed and (due or not aside)
+    closed = (prep.names("side") or prep.outer == "from") and not aside
+    closed = "," in state.between and (closed or due)
     met = (e for e in reversed(state.events) if not e.embedded)
     around = (e for e in met if due or e.name in _MET)
     return next(around, outer) if closed and outer.embedded else outer

@@ -204,10 +204,10 @@ def each_of(chunks: list[Chunk]) -> list[Chunk]:
 
 
 def _stands_everywhere(noun: Chunk, where: Place) -> bool:
-    """``with stop signs on all arms``, ``has a light at every leg``: no vehicle comes from each."""
+    """``with stop signs on all arms``, ``two lanes in each direction``: nobody is there."""
     if not isinstance(noun, Place) or noun.head is None or not where.has("quant", "all"):
         return False
-    built = noun.kind == "crosswalk" or "control" in noun.head.data
+    built = noun.kind in {"crosswalk", "lane"} or "control" in noun.head.data
     return built and where.kind in _EVERYWHERE
 
 

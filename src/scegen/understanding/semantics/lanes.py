@@ -116,8 +116,6 @@ def lane_number(place: object, tokens: list[Token]) -> int | None:
     """``lane 2``, ``the third lane``, ``exit 2``; None for what has no number."""
     if not isinstance(place, Place) or place.kind not in {"lane", "exit"} or place.head is None:
         return None
-    if "number" in place.head.data:
-        return int(place.head.data["number"])
     last = number_at(tokens, place.j - 1)
     if last is not None and place.j > place.head.j and 0 < last.value <= _MOST:
         return int(last.value)

@@ -48,8 +48,7 @@ def _in_numbered(entity: Entity, site: Site) -> None:
         return
     side = counted_from(site.noun.j, site.context.tokens)
     basis = Basis(site.basis.i, site.noun.j + (0 if side == EITHER else FROM_SIDE))
-    name = f"{number}" if "number" in site.noun.head.data else f"{number} from {side}"
-    entity.start_lane = name, basis
+    entity.start_lane = f"{number} from {side}", basis
     site.context.draft.implied.setdefault("lanes", basis.because(SEVERAL))
 
 
