@@ -98,9 +98,6 @@ def _from_titles(chunks: list[Chunk]) -> list[Chunk]:
         if (entry := _lane_entry(chunks[begin:k], chunks, k)) is not None:
             found += [*chunks[done:begin], *entry]
             done = chunks.index(entry[-1]) + 1 if entry[-1] in chunks else k + 2
-        elif k == begin + 1 and _names_it(chunks[begin], chunk_at(chunks, k + 1)):
-            found += chunks[done:begin]  # "Obstacle: a crate in its lane"
-            done = k + 1
         elif place is not None and isinstance(chunk_at(chunks, k + 1), Mention):
             word = "in" if place.kind == "lane" else "from"
             road = chunks[begin + 1 : k] if place.kind == "access" else []
@@ -108,12 +105,6 @@ def _from_titles(chunks: list[Chunk]) -> list[Chunk]:
             found += [*chunks[done:begin], preposed, place, *road]
             done = k + 1
     return [*found, *chunks[done:]]
-
-
-def _names_it(title: Chunk, noun: Chunk) -> bool:
-    if not isinstance(title, Thing) or title.head is None or not isinstance(noun, Thing | Mention):
-        return False
-    return title.head.data.get("thing") == title.kind and not noun.has("det", "def")
 
 
 def _lane_entry(title: list[Chunk], chunks: list[Chunk], k: int) -> list[Chunk] | None:
