@@ -78,6 +78,10 @@ def coordinate(event: Event, state: State) -> None:
     if goes_on and who is not None and (who is state.being or coming):
         event.subject = chain(who)  # "pulls out when the ego is 20 m away and doing 30 km/h"
         return
+    beside = told_beside(state, "with") if wanted == "ing" else None
+    if beside is not None:
+        event.subject = [beside]
+        return
     parallel = parallel or state.events[-1]
     event.subject = parallel.subject
     if wanted != "finite":
