@@ -17,7 +17,7 @@ FEWEST = 3
 OF_OTHERS = {"agents", "report", "frames"}
 """Prompts, reports, and what tells how rows of numbers are matched."""
 TABLES = {"words/numbers.py", "words/quantities.py", "semantics/patterns.py",
-          "semantics/rows.py", "amounts/reading.py"}  # fmt: skip
+          "semantics/rows.py", "semantics/cues.py", "amounts/reading.py"}  # fmt: skip
 """Where words stand for numbers, or are the names of what rows may ask for."""
 TAGS = {"unknown", "quantity", "num", "ordinal", "punct", "s", "ed", "ing", "base", "while"}
 """Classes, forms and conjunctions as tagging calls them."""

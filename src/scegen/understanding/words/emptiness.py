@@ -76,6 +76,6 @@ def _phrase(tokens: list[Token], k: int, name: str) -> int:
 @cache
 def _phrases(name: str) -> re.Pattern[str]:
     """The phrases of a list, the longest first; ``*`` is "make"."""
-    making = f"(?:{'|'.join(sorted(word_list('making')))})"
+    making = "|".join(sorted(word_list("making")))
     longest = sorted(sorted(word_list(name)), key=lambda phrase: -phrase.count(" "))
-    return re.compile("|".join(f"{phrase} ".replace("*", making) for phrase in longest))
+    return re.compile("|".join(f"{phrase} ".replace("*", f"(?:{making})") for phrase in longest))
