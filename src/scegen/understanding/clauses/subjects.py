@@ -36,6 +36,10 @@ def link(event: Event, state: State) -> None:
     _link(event, state)
     if interrupts and state.relating is not None:  # "a man who, looking down, walks on"
         event.subject = [state.relating]
+    done = event.form == "ed" and event.object is None and event.name not in _OF_PARTS
+    sign = state.at(-1)
+    if done and event.subject and isinstance(sign, Place) and sign.prep is None:
+        event.object = sign  # "a car comes from the left, red light ignored"
 
 
 def _link(event: Event, state: State) -> None:
