@@ -20,6 +20,8 @@ from scegen.understanding.reference.own_vehicles import is_apart, teller_goes_by
 from scegen.understanding.reference.roster import Roster
 from scegen.understanding.words.terms import NOTHING
 
+_BARE = 2
+"""Words of "the vehicle"."""
 _BACKWARDS = {"ahead": "behind", "behind": "ahead"}
 
 
@@ -50,6 +52,8 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], roster: Roster) -
             early.append(chunk)
             continue
         bonds.unlike[id(chunk)] += [m for it in early for m in bonds.unlike[id(it)]]
+        if (tested := _tested(chunk, chunks, bonds.unlike[id(chunk)], roster)) is not None:
+            bonds.again[id(chunk)] = tested
         _resolve(chunk, roster, bonds)
         if id(chunk) in stand:
             _parked(chunk, stand[id(chunk)])
@@ -84,6 +88,19 @@ def _named_later(pronoun: Mention, chunks: list[Chunk], unlike: list[NounPhrase]
     after = takewhile(lambda c: c.value not in {".", ";"}, (c for c in chunks if c.i > pronoun.i))
     named = any(isinstance(c, Mention) and c.heads for c in after)
     return opened and named and all(c in unlike for c in known)
+
+
+def _tested(
+    mention: Mention, chunks: list[Chunk], unlike: list[NounPhrase], roster: Roster
+) -> Mention | None:
+    """``is hit at 25 % of the vehicle's width; VUT at 40 km/h``: nobody else is there but that."""
+    bare = mention.noun == "car" and mention.opened_by("def") and mention.j - mention.i == _BARE
+    told = [m.entities for m in unlike if isinstance(m, Mention)]
+    others = [e for e in roster.entities if e.is_vehicle and [e] not in told]
+    if not bare or others or roster.draft.ego or not (mention.prep or mention.possessor):
+        return None
+    named = (c for c in chunks if isinstance(c, Mention) and c.i > mention.i and c.is_ego)
+    return next(named, None)
 
 
 def _resolve(mention: Mention, roster: Roster, bonds: Bonds) -> None:
