@@ -156,7 +156,7 @@ def _from_acts(story: Story, count: int) -> Iterator[Wish]:
                 yield Wish((name, *whom), weight, _room(step, count), words)
             continue
         # Who swerves inwards may do so into the lane of the oncoming, who swerves outwards not.
-        swerves = act.kind is ActKind.SWERVE and step == 1 and act.lateral_m is None
+        swerves = story.hazard_of(act) in SWERVING and step == 1 and act.lateral_m is None
         changes = act.kind is ActKind.CHANGE_LANE or swerves
         if not changes or name not in runners or name in passing:
             continue

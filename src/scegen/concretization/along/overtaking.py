@@ -23,7 +23,7 @@ from scegen.errors import MotionInfeasibleError
 from scegen.motion.batch.arrays import Bools
 from scegen.motion.model import Array
 from scegen.scenario.acts import GAINING, Act, ActKind
-from scegen.scenario.spacings import Measure
+from scegen.scenario.spacings import LENGTHWISE, Measure
 from scegen.scenario.vocabulary import HazardKind, Maneuver
 
 _CLEAR_M, _CLEAR_HURRYING_M = 6.0, 1.0
@@ -90,16 +90,16 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     slow, foremost = line[0], line[-1]
     out_lane, offset = _beside_lane(story, act, fast, slow)
     begins = story.begins_s[act.id]
-    if act.when is None:
-        begins = max(FIRST_ACT_S / 2, begins - FIRST_ACT_S)
     own = {fast.id, *(each.id for each in line)}
     told_now = [s for s in story.functional.spacings if s.at == act.id]
-    at_once = act.when is not None or any(own >= {s.participant, s.reference} for s in told_now)
+    of_them = [s for s in told_now if own >= {s.participant, s.reference}]
+    fixed = act.when is not None or any(s.measure in LENGTHWISE for s in of_them)
+    at_once = fixed or bool(of_them)
+    if not fixed:
+        begins = max(FIRST_ACT_S / 2, begins - FIRST_ACT_S)
     hurries = bool(told_now) and not at_once  # who comes towards it is so near
     usual = ABRUPT_LANE_CHANGE_S if hurries or act.kind is ActKind.SWERVE else LANE_CHANGE_S
-    begins, lasts = _in_time(
-        fast, slow, (out_lane, offset), (begins, usual), fixed=act.when is not None
-    )
+    begins, lasts = _in_time(fast, slow, (out_lane, offset), (begins, usual), fixed=fixed)
     told = story.functional.participant(fast.id).speed_mps is not None
     told &= not story.acts_of(foremost.id, GAINING)
     if fast.speed_mps - foremost.speed_mps < (_HARDLY_MPS if told else _FASTER_MPS / 2):
