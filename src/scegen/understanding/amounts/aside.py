@@ -10,6 +10,7 @@ from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Place, Prep
+from scegen.understanding.draft import Placement
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Amount, Apart, Doing
 from scegen.understanding.lexicon import word_list
@@ -208,14 +209,20 @@ def _into(doing: Doing, scene: Clause, context: Context) -> None:
 
 def _is_there(entity: Entity, phrase: Prep, context: Context) -> bool:
     """``follows a truck and changes lanes 15 m behind it``: out of its lane, not into it."""
-    there = {Approach.AHEAD}
+    ahead = phrase.value == "ahead"
     for other in (e for e in people([phrase]) if entity.ego is not e.ego):
-        ahead = entity if phrase.value == "ahead" else other
-        told = [p for p in context.draft.placements_of(ahead) if p.basis.i != phrase.word.i]
-        told = [] if ahead.start_lane else told  # "ahead in the middle lane"
-        if any(p.approaches == there and (not p.reference or p.reference.ego) for p in told):
-            return ahead is other or other.ego
+        front, told = entity if ahead else other, context.draft.placements
+        told = [p for p in told if p.basis.i != phrase.word.i and not front.start_lane]
+        leads = any(p.entity is front and _led(p, Approach.AHEAD) for p in told)
+        if leads or any(p.reference is front and _led(p, Approach.BEHIND) for p in told):
+            return True
     return False
+
+
+def _led(told: Placement, place: Approach) -> bool:
+    """Whether one is said to be there, and nowhere else, of the ego and another."""
+    two = (told.entity, told.reference)
+    return told.approaches == {place} and any(e is None or e.ego for e in two)
 
 
 def _beside_whom(doing: Doing, other: Entity, phrase: Prep, context: Context) -> None:
