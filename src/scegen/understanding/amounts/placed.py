@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.spacings import CONTACT, LENGTHWISE, START, Measure
-from scegen.scenario.vocabulary import Approach, Maneuver
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.amounts import aside
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.pairs import each_from, pair_of, row_of, tell_order
@@ -168,7 +168,11 @@ def moment(figure: Figure, measure: Measure, one: Entity, other: Entity) -> Doin
         passing = [a for a in acts if a.kind is ActKind.OVERTAKE and start <= a.i < figure.end]
         return passing[-1] if passing else START
     begun = _as_it_begins(figure, acts)
-    starts = text.find("starts", start, figure.end) and not begun
+    starts = text.find("starts", start, figure.end) is not None and not begun
+    # "5 m behind, it cuts in": it comes in ahead
+    cuts_in = [e for e in text.draft.causing(HazardKind.CUT_IN) if e in (one, other)]
+    cuts_in = [e for e in cuts_in if text.context.placed(e, Approach.BEHIND)]
+    starts |= any(a.entity in cuts_in and a.i > figure.i for a in acts)
     if measure not in LENGTHWISE or starts:
         return START
     own = figure.verb
