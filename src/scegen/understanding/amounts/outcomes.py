@@ -44,7 +44,7 @@ def read_outcome(text: Telling) -> None:
     ending = text.found.ending
     if ending is not None and ending.kind is not OutcomeKind.AVOIDED:
         text.found.ending = ending = fully_told(ending, endings, text)
-        _from_the_front(ending, text)
+    _from_the_front(ending, text)
     span = text.find("full_overlap", 0, len(text.tokens))
     other = ending.other if ending is not None else text.counterpart(text.ego, [])
     if span is not None and other is not None:  # the share that no number tells
@@ -52,12 +52,14 @@ def read_outcome(text: Telling) -> None:
         text.found.spacings.append(Apart(Measure.OVERLAP_PERCENT, other, text.ego, amount, CONTACT))
 
 
-def _from_the_front(ending: Ending, text: Telling) -> None:
-    """``a head-on collision``: they come towards one another."""
+def _from_the_front(ending: Ending | None, text: Telling) -> None:
+    """``a head-on collision``, ``head-on: …``: they come towards one another."""
+    other = text.counterpart(text.ego, [])
+    between = ending.between if ending is not None else [other] if other is not None else []
     marks = [m for c in text.chunks for m in ([c] if isinstance(c, Term) else c.mods)]
     placed = {p.entity.index for p in text.draft.placements}
     for mark in [m for m in marks if (m.cat, m.value) == ("manner", "head_on")][:1]:
-        for entity in [e for e in ending.between if not e.ego and e.index not in placed]:
+        for entity in [e for e in between if not e.ego and e.index not in placed]:
             text.draft.place(entity, None, {Approach.OPPOSITE}, Basis(mark.i, mark.j))
 
 
