@@ -89,19 +89,17 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     hazard = story.hazard_of(act)
     slow, foremost = line[0], line[-1]
     out_lane, offset = _beside_lane(story, act, fast, slow)
-    begins = story.begins_s[act.id]
-    own = {fast.id, *(each.id for each in line)}
     told_now = [s for s in story.functional.spacings if s.at == act.id]
-    of_them = [s for s in told_now if own >= {s.participant, s.reference}]
-    fixed = act.when is not None or any(s.measure in LENGTHWISE for s in of_them)
+    own = {fast.id, *(each.id for each in line)}
+    of_them = {s.measure for s in told_now if own >= {s.participant, s.reference}}
+    fixed = act.when is not None or not of_them.isdisjoint(LENGTHWISE)
     at_once = fixed or bool(of_them)
-    if not fixed:
-        begins = max(FIRST_ACT_S / 2, begins - FIRST_ACT_S)
+    begins = story.begins_s[act.id]
+    begins = begins if fixed else max(FIRST_ACT_S / 2, begins - FIRST_ACT_S)
     hurries = bool(told_now) and not at_once  # who comes towards it is so near
     usual = ABRUPT_LANE_CHANGE_S if hurries or act.kind is ActKind.SWERVE else LANE_CHANGE_S
     begins, lasts = _in_time(fast, slow, (out_lane, offset), (begins, usual), fixed=fixed)
-    told = story.functional.participant(fast.id).speed_mps is not None
-    told &= not story.acts_of(foremost.id, GAINING)
+    told = story.has_said_speed(fast.id) and not story.acts_of(foremost.id, GAINING)
     if fast.speed_mps - foremost.speed_mps < (_HARDLY_MPS if told else _FASTER_MPS / 2):
         top = min(foremost.speed_mps + _FASTER_MPS, fast.body.top_speed_mps)
         begins = story.begins_s[act.id]
