@@ -25,8 +25,20 @@ def test_who_has_the_way_goes_straight_on():
     assert scenario.participant("motorcycle_1").maneuvers == {"straight"}
 
 
-@pytest.mark.parametrize("verb", ["overtaken", "being followed", "passed", "cut off"])
-def test_what_nobody_is_said_to_do_to_somebody_is_told(verb):
-    found = read(f"On a country road the ego is {verb}.")
-    assert [u.instead for u in found.unsupported] == ["by whom is not said; left out"]
-    assert not read(f"On a country road the ego is {verb} by a bus.").unsupported
+@pytest.mark.parametrize(
+    ("done", "whence"),
+    [
+        ("overtaken", "behind"),
+        ("being followed", "behind"),
+        ("passed", "behind"),
+        ("hit from behind", "behind"),
+        ("cut off", "adjacent"),
+    ],
+)
+def test_who_is_not_named_is_a_car_and_that_is_told(done, whence):
+    found = read(f"On a country road the ego is {done}.")
+    assert found.participant("car_1").approaches == {whence}
+    reasons = [e.reason for e in found.evidence if e.field == "participants.car_1.kind"]
+    assert reasons == ["by whom is not said; a car does it"]
+    named = read(f"On a country road the ego is {done} by a bus.")
+    assert {p.id for p in named.participants} == {"ego", "bus_1"}

@@ -153,7 +153,7 @@ def _seen(draft: Draft, entity: Entity, seen: frozenset[Approach]) -> bool:
     ahead |= any(e and draft.only(e, Approach.AHEAD) for e in led)  # beyond the car ahead
     first = draft.entities[0]  # "the car ahead overtakes a truck": somebody else sees both
     new = draft.tokens[entity.basis.i or 0].low in word_list("introducing")
-    ahead |= new and entity is not first and draft.only(first, Approach.AHEAD)
+    ahead |= new and entity is not first and first.is_vehicle and draft.only(first, Approach.AHEAD)
     return (
         ahead
         or (beside and Approach.ADJACENT in seen)
