@@ -113,7 +113,7 @@ def _speeds(story: Story) -> None:
 def _closing(functional: FunctionalScenario) -> Iterator[tuple[str, str]]:
     """Who is said to be so many seconds from a collision with whom, unless that one slows first.
 
-    So it is with who touches another that is ahead of it.
+    So it is with who touches another ahead of it that is said to be so fast.
     """
     slowing: set[str] = set()
     for at, act in ((START, None), *((a.id, a) for a in functional.acts)):
@@ -130,7 +130,8 @@ def _closing(functional: FunctionalScenario) -> Iterator[tuple[str, str]]:
     outcome = functional.outcome
     touch = outcome.between if outcome and outcome.kind is OutcomeKind.COLLISION else ()
     for back, front in permutations(touch, 2):
-        if is_ahead_at_first(functional, front, back) and front not in slowing:
+        steady = front not in slowing and functional.participant(front).speed_mps is not None
+        if steady and is_ahead_at_first(functional, front, back):
             yield back, front
 
 
