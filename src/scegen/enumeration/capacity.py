@@ -143,10 +143,8 @@ def _fillings(arms: tuple[int, ...], vehicles: int) -> int:
     ways = [1, *[0] * vehicles]
     for holds in arms:
         ways = [
-            sum(
-                ways[total - here] * math.comb(total, here) for here in range(min(holds, total) + 1)
-            )
-            for total in range(vehicles + 1)
+            sum(ways[n - here] * math.comb(n, here) for here in range(min(holds, n) + 1))
+            for n in range(vehicles + 1)
         ]
     return ways[vehicles]
 

@@ -91,10 +91,8 @@ class ClassSizes:
 
 def arrangements(chosen: tuple[Choice, ...]) -> int:
     """Ways to hand out these choices to the members of a group, who are told apart by name."""
-    ways = math.factorial(len(chosen))
-    for times in Counter(chosen).values():
-        ways //= math.factorial(times)
-    return ways
+    alike = math.prod(map(math.factorial, Counter(chosen).values()))
+    return math.factorial(len(chosen)) // alike
 
 
 def _picker(places: Sequence[int]) -> Callable[[Sequence[Choice]], tuple[Choice, ...]]:

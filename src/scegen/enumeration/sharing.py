@@ -7,6 +7,7 @@ participant does; two parts determine their conflict, and when the one arrives a
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Any, TypeVar
 
 from scegen.enumeration.conflicts import conflict_between, deadlock_among, may_be_stuck
@@ -88,6 +89,10 @@ def conflicts_among(shares: tuple[Share, ...]) -> tuple[Conflict, ...]:
     return tuple([conflict for conflict in found if conflict is not None])
 
 
+def _deadlock_in(line: tuple[Share, ...]) -> tuple[str, ...]:
+    return deadlock_among([share.assignment.participant for share in line], conflicts_among(line))
+
+
 class Sharing:
     """The parts of all scenarios of one problem.
 
@@ -108,7 +113,7 @@ class Sharing:
         self.others: Kept[Crossing | Standing | Walking, Share] = Kept(
             lambda assignment: Share(self, assignment)
         )
-        self._deadlocks: dict[tuple[Share, ...], tuple[str, ...]] = {}
+        self._deadlock = lru_cache(maxsize=MOST_DEADLOCKS)(_deadlock_in)
 
     def _drive(self, way: Way, slot: int, place: Place) -> Drive:
         entry, move, manner = way
@@ -138,15 +143,7 @@ class Sharing:
 
     def deadlock(self, shares: tuple[Share, ...]) -> tuple[str, ...]:
         """Those of whom each must wait for another of them, among those who may be stuck."""
-        line = tuple([share for share in shares if share.may_be_stuck])
-        found = self._deadlocks.get(line)
-        if found is None:
-            names = [share.assignment.participant for share in line]
-            found = deadlock_among(names, conflicts_among(line))
-            if len(self._deadlocks) >= MOST_DEADLOCKS:
-                self._deadlocks.clear()
-            self._deadlocks[line] = found
-        return found
+        return self._deadlock(tuple([share for share in shares if share.may_be_stuck]))
 
     def speed(self, assignment: Assignment) -> ParameterRange | None:
         """How fast a participant may be, None if it stands."""
@@ -165,14 +162,13 @@ class Sharing:
         self._pairs, self.full = 0, False
         self.drives.clear()
         self.others.clear()
-        self._deadlocks.clear()
+        self._deadlock.cache_clear()
 
     def offset(self, ego: Assignment, other: Assignment) -> ParameterRange | None:
         """When another participant arrives, against the ego."""
         met = conflict_between(self.rules, ego, other)
         kind = ConflictKind.NONE if met is None else met.kind
-        found = offset_range(self._problem.functional, ego, other, kind)
-        return self._one(found)
+        return self._one(offset_range(self._problem.functional, ego, other, kind))
 
     def _one(self, part: V) -> V:
         """Of equal parts the one that was made first."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 from clorm import Predicate
 from clorm.clingo import Control
@@ -93,7 +94,7 @@ def group_facts(problem: Problem, symmetry: Symmetry) -> list[Predicate]:
     """Members of each group in a row."""
     facts: list[Predicate] = [p.OpenPlace(*pair) for pair in problem.open_places]
     for group in symmetry.groups:
-        facts += [p.Next(a, b) for a, b in zip(group.members, group.members[1:], strict=False)]
+        facts += [p.Next(first, second) for first, second in pairwise(group.members)]
     return facts
 
 

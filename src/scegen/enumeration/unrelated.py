@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from functools import cached_property
 
 from scegen.enumeration.capacity import Kind, Room, Slot, placements, rows_of_placements
 from scegen.enumeration.patterns import Row
@@ -42,7 +41,8 @@ class Unrelated:
             for group in self._counted
         ]
         self._crowded = len(problem.vehicles) > QUEUE_LIMIT
-        self.assignments: Kept[Room, int] = Kept(lambda room: placements(self._singles, room))
+        singles = [Kind(1, 1, self._slots(name, 0, 1)) for name in sorted(names)]
+        self.assignments: Kept[Room, int] = Kept(lambda room: placements(singles, room))
         """Ways to add them, each told apart, by the room there is."""
         self.scenarios: Kept[tuple[Room, int], int] = Kept(lambda key: self._turned(*key))
         """Ways to add them, up to swaps, that turning by so many arms maps onto themselves."""
@@ -82,10 +82,6 @@ class Unrelated:
                 left = [number - use for number, use in zip(left, uses, strict=True)]
         arms = range(problem.arms) if self._crowded else ()
         return Room(tuple(QUEUE_LIMIT - queue[arm] for arm in arms), tuple(left))
-
-    @cached_property
-    def _singles(self) -> list[Kind]:
-        return [Kind(1, 1, self._slots(name, 0, 1)) for name in sorted(self.names)]
 
     def _carried_round(self, turn: int) -> list[Kind]:
         """The groups under a rotation: one of each cycle stands for all that it is carried to."""

@@ -74,10 +74,7 @@ def meeting_of(
 def _tally(
     functional: FunctionalScenario, scenarios: Iterable[LogicalScenario]
 ) -> Counter[Meeting]:
-    out: Counter[Meeting] = Counter()
-    for scenario in scenarios:
-        out.update(meetings(functional, scenario))
-    return out
+    return Counter(met for scenario in scenarios for met in meetings(functional, scenario))
 
 
 @lru_cache(maxsize=65_536)
