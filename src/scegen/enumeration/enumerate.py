@@ -80,13 +80,9 @@ class Listing:
     @property
     def selects(self) -> bool:
         """Whether a selection stands for more than are to be listed."""
-        limit = self.limit
-        return (
-            self.where is None
-            and limit is not None
-            and limit <= MOST_SELECTED
-            and limit < self._count
-        )
+        if self.where is not None or self.limit is None:
+            return False
+        return self.limit <= MOST_SELECTED and self.limit < self._count
 
     @property
     def expected(self) -> int:
@@ -200,9 +196,7 @@ def open_listing(
     if where is not None:
         where_test(functional, where)  # before anything is enumerated
     census = _prepare(functional, arms)
-    ruled = None
-    if rules is not None:
-        ruled = ruled_classes(census, reduction, rules)
+    ruled = None if rules is None else ruled_classes(census, reduction, rules)
     return Listing(census, reduction, arms, limit, where, ruled)
 
 
@@ -253,7 +247,7 @@ def _prepare(functional: FunctionalScenario, arms: ArmsMode) -> Census:
 
 
 def _stream(
-    census: Census, reduction: Reduction, limit: int | None = None
+    census: Census, reduction: Reduction, limit: int | None
 ) -> Iterator[tuple[Solution, int]]:
     """The scenarios in order, the first ones with a limit, with their class sizes."""
     count = census.count(reduction)

@@ -95,11 +95,8 @@ def known_by_itself(functional: FunctionalScenario, party: Party) -> list[str]:
         case Party.EGO:
             return [ego]
         case Party.OTHER | Party.OTHERS:
-            return [
-                v.id
-                for v in functional.vehicles
-                if v.id != ego and v.maneuvers != frozenset({Maneuver.STAY})
-            ]
+            others = (v for v in functional.vehicles if v.id != ego)
+            return [v.id for v in others if v.maneuvers != {Maneuver.STAY}]
         case Party.TAILGATED:
             tailgating = [h for h in functional.hazards if h.kind is HazardKind.TAILGATING]
             return [name for hazard in tailgating for name in hazard.to]
@@ -119,12 +116,8 @@ def known_by_itself(functional: FunctionalScenario, party: Party) -> list[str]:
 
 
 def _crossers(functional: FunctionalScenario, kinds: frozenset[ParticipantKind]) -> list[str]:
-    crossing = frozenset({Maneuver.CROSS})
-    return [
-        c.id
-        for c in functional.crossers
-        if c.kind in kinds and (not c.maneuvers or crossing <= c.maneuvers)
-    ]
+    crossing = (c for c in functional.crossers if not c.maneuvers or Maneuver.CROSS in c.maneuvers)
+    return [c.id for c in crossing if c.kind in kinds]
 
 
 def _placed(

@@ -129,6 +129,8 @@ def build_problem(
     _check_queues(entries, vehicles, functional.junction.arms)
     dependent = {fact.id for fact in derived if isinstance(fact, a.Dependent)}
     related = related_among(said.facts)
+    # Of a group whose members are related to others, who does what is said matters to all.
+    dependent |= {name for g in functional.groups for name in g.members if name in related}
     return Problem(
         functional=functional,
         facts=tuple(said.facts),
@@ -138,10 +140,7 @@ def build_problem(
         settled=wordless and all(len(entries.get(v.id, ())) == 1 for v in vehicles),
         wanted=_every_move(functional) if wordless else _wanted(derived),
         demands=demands,
-        # Of a group whose members are related to others, who does what is said matters to all.
-        dependent=frozenset(
-            dependent | {name for g in functional.groups for name in g.members if name in related}
-        ),
+        dependent=frozenset(dependent),
         sides=sides,
         presumed=presumed,
     )
@@ -149,11 +148,8 @@ def build_problem(
 
 def related_among(facts: Iterable[Predicate]) -> set[str]:
     """Those whose place is told in relation to another's."""
-    found = set[str]()
-    for fact in facts:
-        if isinstance(fact, p.Approach):
-            found |= {fact.id, fact.reference}
-    return found
+    told = (fact for fact in facts if isinstance(fact, p.Approach))
+    return {name for fact in told for name in (fact.id, fact.reference)}
 
 
 def _given_up(functional: FunctionalScenario, left_open: frozenset[int]) -> list[str]:
@@ -168,15 +164,9 @@ def _given_up(functional: FunctionalScenario, left_open: frozenset[int]) -> list
 
 def _wordless(functional: FunctionalScenario) -> bool:
     """Whether the text leaves all moves open and nobody's matters to anybody else."""
-    return not (
-        functional.hazards
-        or functional.relations
-        or functional.groups
-        or functional.acts
-        or functional.outcome
-        or functional.crossers
-        or any(v.maneuvers or v.approaches or v.lanes for v in functional.vehicles)
-    )
+    told = functional.hazards, functional.relations, functional.groups, functional.acts
+    moves = any(v.maneuvers or v.approaches or v.lanes for v in functional.vehicles)
+    return not (moves or any(told) or functional.outcome or functional.crossers)
 
 
 def _besides(facts: Iterable[Predicate], demands: Iterable[Predicate]) -> list[Predicate]:
@@ -213,9 +203,8 @@ def _wanted(derived: Iterable[Predicate]) -> dict[tuple[str, int], tuple[Choice,
 
 
 def _check_size(functional: FunctionalScenario) -> None:
-    vehicles = functional.vehicles
     require_few_enough(len(functional.participants))
-    if functional.ego not in vehicles:
+    if functional.ego not in functional.vehicles:
         raise InfeasibleError(
             "the ego must drive through the junction, not park or cross it",
             where=f"participants.{functional.ego.id}",

@@ -5,13 +5,7 @@ from __future__ import annotations
 from scegen.scenario.acts import WhenMeasure
 from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.hazards import HAZARDS
-from scegen.scenario.logical import (
-    Assignment,
-    ConflictKind,
-    Crossing,
-    Drive,
-    Standing,
-)
+from scegen.scenario.logical import Assignment, ConflictKind, Drive, Standing
 from scegen.scenario.model import FrozenModel, Interval
 from scegen.scenario.parameters import ParameterRange
 from scegen.scenario.speed_limits import (
@@ -21,13 +15,7 @@ from scegen.scenario.speed_limits import (
     implied_limit_mps,
     limit_for_kind_mps,
 )
-from scegen.scenario.vocabulary import (
-    Approach,
-    HazardKind,
-    JunctionKind,
-    Maneuver,
-    ParticipantKind,
-)
+from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver, ParticipantKind
 
 Range = tuple[float, float, float, str]
 """Low, high, default, reason."""
@@ -123,9 +111,7 @@ def offset_range(
 
 
 def _offset(ego: Assignment, other: Assignment) -> Range:
-    if isinstance(other, Crossing) or not isinstance(ego, Drive) or not isinstance(other, Drive):
-        return OFFSET_S
-    if ego.entry != other.entry:
+    if not (isinstance(ego, Drive) and isinstance(other, Drive) and ego.entry == other.entry):
         return OFFSET_S
     if ego.rank == other.rank:
         return BESIDE_OFFSET_S

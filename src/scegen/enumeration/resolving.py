@@ -15,15 +15,7 @@ from scegen.scenario.arms import arm_angles_deg, seen_from
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.hazards import HAZARDS, Party
 from scegen.scenario.in_line import unconcerned
-from scegen.scenario.logical import (
-    MEETING,
-    Assignment,
-    Conflict,
-    Drive,
-    InLine,
-    Standing,
-    Walking,
-)
+from scegen.scenario.logical import MEETING, Assignment, Conflict, Drive, InLine, Standing, Walking
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, Maneuver
 
@@ -123,7 +115,7 @@ def _party(
             return presumed
         found = [name for name in _found(scene, party, seen_from) if name not in taken]
         if party is Party.OTHERS:
-            meeting = [n for n in found if any(_meet(scene, n, other) for other in seen_from)]
+            meeting = [n for n in found if _meets(scene, n, seen_from)]
             return tuple(meeting or found)
         if found:
             return (found[0],)
@@ -146,11 +138,7 @@ def _found(scene: _View, party: Party, seen_from: tuple[str, ...]) -> list[str]:
         case Party.ONCOMING:
             return [n for n in scene.assignments if _oncoming(scene, n, seen_from)]
         case Party.CROSSING:
-            return [
-                name
-                for name in scene.assignments
-                if any(_meet(scene, name, other) for other in seen_from)
-            ]
+            return [n for n in scene.assignments if _meets(scene, n, seen_from)]
         case Party.YIELDING:
             return yielding(scene.functional, seen_from)
         case Party.OTHERS:
@@ -215,5 +203,6 @@ def _oncoming(scene: _View, name: str, others: tuple[str, ...]) -> bool:
     )
 
 
-def _meet(scene: _View, one: str, other: str) -> bool:
-    return any({c.first, c.second} == {one, other} and c.kind in MEETING for c in scene.conflicts)
+def _meets(scene: _View, name: str, others: tuple[str, ...]) -> bool:
+    met = [{c.first, c.second} for c in scene.conflicts if c.kind in MEETING]
+    return any({name, other} in met for other in others)

@@ -34,12 +34,7 @@ from scegen.enumeration.programs import Part, consequences
 from scegen.enumeration.statements import junction_facts
 from scegen.enumeration.wide_curves import Ways, curves_that_meet
 from scegen.scenario.arms import arm_angles_deg, turn_deg
-from scegen.scenario.control import (
-    controlled_arms,
-    has_crosswalk,
-    oncoming_arms,
-    signal_phases,
-)
+from scegen.scenario.control import controlled_arms, has_crosswalk, oncoming_arms, signal_phases
 from scegen.scenario.junction import Junction
 from scegen.scenario.logical import Assignment, ConflictKind, Crossing, Drive, Rule
 from scegen.scenario.vocabulary import Control, JunctionKind, Maneuver, Side

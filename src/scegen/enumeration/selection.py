@@ -9,7 +9,7 @@ show what is rarest so far.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Hashable, Iterable, Iterator
+from collections.abc import Hashable, Iterator
 from heapq import heappop, heapreplace
 from itertools import combinations, islice
 
@@ -89,16 +89,10 @@ def covering(census: Census, pool: list[Solution], number: int) -> list[Solution
 
 
 def _features(problem: Problem, kinds: dict[str, int], solution: Solution) -> Iterator[Feature]:
-    ways = sorted(_ways(problem, kinds, solution))
-    yield from ways
-    yield from combinations(ways, 2)
-
-
-def _ways(
-    problem: Problem, kinds: dict[str, int], solution: Solution
-) -> Iterable[tuple[int, Way | tuple[int, str]]]:
     ways: tuple[Way | tuple[int, str], ...] = (*solution.drives, *solution.on_foot)
-    return [(kinds[name], way) for name, way in zip(problem.names, ways, strict=True)]
+    told = sorted((kinds[name], way) for name, way in zip(problem.names, ways, strict=True))
+    yield from told
+    yield from combinations(told, 2)
 
 
 def _order(solution: Solution) -> tuple[object, ...]:

@@ -167,10 +167,7 @@ def _without(data: object, name: str) -> object:
 def _road_allows(problem: Problem, turn: int, arms: ArmsMode) -> bool:
     junction = problem.functional.junction
     n = junction.arms
-    lanes_fit = all(
-        junction.lanes[arm] == junction.lanes[(arm + turn) % n]
-        for arm in range(len(junction.lanes))
-    )
+    lanes_fit = junction.lanes == (*junction.lanes[turn:], *junction.lanes[:turn])
     if not lanes_fit or any(m.parked and m.entries for m in problem.functional.participants):
         return False
     if arms is ArmsMode.EQUAL:
@@ -185,14 +182,9 @@ def _road_allows(problem: Problem, turn: int, arms: ArmsMode) -> bool:
 
 def _words_need_geometry(problem: Problem) -> bool:
     functional = problem.functional
-    return bool(
-        any(m.maneuvers or m.approaches for m in functional.participants)
-        or functional.relations
-        or functional.groups
-        or functional.hazards
-        or functional.acts
-        or functional.outcome
-    )
+    told = functional.relations, functional.groups, functional.hazards, functional.acts
+    moves = any(m.maneuvers or m.approaches for m in functional.participants)
+    return moves or any(told) or functional.outcome is not None
 
 
 def _same_words(problem: Problem, turn: int) -> bool:
@@ -219,17 +211,10 @@ def _same_angles(angles: tuple[float, ...], turn: int) -> bool:
 def _same_control(problem: Problem, turn: int) -> bool:
     """Yield, stop and signals that work set one road above the other, except round a ring."""
     junction = problem.functional.junction
-    alike = {
-        Control.UNCONTROLLED,
-        Control.PRIORITY_TO_RIGHT,
-        Control.ALL_WAY_STOP,
-        Control.SIGNALS_OFF,
-    }
-    if junction.control in alike or (
-        junction.kind is JunctionKind.ROUNDABOUT and junction.control is not Control.SIGNALS
-    ):
-        return True
-    return junction.arms == 4 and turn == 2
+    ranking = {Control.SIGNALS}
+    if junction.kind is not JunctionKind.ROUNDABOUT:
+        ranking |= {Control.YIELD, Control.STOP}
+    return junction.control not in ranking or (junction.arms == 4 and turn == 2)
 
 
 def symmetry_in_words(problem: Problem, symmetry: Symmetry, arms: ArmsMode) -> str:
@@ -243,9 +228,8 @@ def _rotations(symmetry: Symmetry, arms: ArmsMode) -> str:
     turns = len(symmetry.rotations)
     if turns > 1:
         return f"the junction turns onto itself in {turns} ways"
-    if arms is ArmsMode.EQUAL:
-        return "no turn of the junction carries what is said onto itself"
-    return "no turn of the junction carries the road and what is said onto itself"
+    carried = "what is said" if arms is ArmsMode.EQUAL else "the road and what is said"
+    return f"no turn of the junction carries {carried} onto itself"
 
 
 def _either(group: Group) -> str:

@@ -20,6 +20,7 @@ from scegen.scenario.logical import LogicalScenario
 LONGEST = 2_000
 """Characters; longer expressions nobody reads."""
 
+_GRAMMAR = "see docs/how-to/where.md"
 _ORDER: dict[type[ast.cmpop], Callable[[int, int], bool]] = {
     ast.Lt: operator.lt,
     ast.LtE: operator.le,
@@ -49,7 +50,7 @@ def where(functional: FunctionalScenario, expression: str) -> Callable[[LogicalS
         test = reader.truth(tree.body)
     except SyntaxError as error:
         single = expression.strip()[(error.offset or 1) - 1 :].startswith("=")
-        hint = "equality is written ==" if single else "see docs/how-to/where.md"
+        hint = "equality is written ==" if single else _GRAMMAR
         raise reader.error(error.offset or 1, "this is not an expression", hint) from error
     except (RecursionError, MemoryError, ValueError) as error:
         raise reader.error(1, "this is not an expression that can be read", None) from error
@@ -64,9 +65,8 @@ class _Reader:
         self._names = {p.id: p.id for p in functional.participants}
         self._names.setdefault("ego", functional.ego.id)
         kinds = {p.id: str(p.kind) for p in functional.participants}
-        self._attributes = terms.attributes(
-            kinds, {p.id: str(p.role) for p in functional.participants}
-        )
+        roles = {p.id: str(p.role) for p in functional.participants}
+        self._attributes = terms.attributes(kinds, roles)
         self._inside = False
 
     def truth(self, node: ast.expr) -> Evaluate:
@@ -95,7 +95,7 @@ class _Reader:
                 return self._name(node)
             case ast.Call(func=ast.Name(id=name), keywords=[]):
                 return self._call(name, node)
-        raise self._wrong(node, "this is not part of the language", "see docs/how-to/where.md")
+        raise self._wrong(node, "this is not part of the language", _GRAMMAR)
 
     def _name(self, node: ast.Name) -> Term:
         if node.id in _SCENARIO:
@@ -135,9 +135,7 @@ class _Reader:
             low, high = self._number(left), self._number(right)
             return TRUTH, lambda row: _ordered(compare, low(row), high(row))
         if not isinstance(op, ast.Eq | ast.NotEq):
-            raise self._wrong(
-                node, "this is not a comparison of the language", "see docs/how-to/where.md"
-            )
+            raise self._wrong(node, "this is not a comparison of the language", _GRAMMAR)
         if self._is_word(left) and not self._is_word(right):
             left, right = right, left
         type_, first = self._term(left)
