@@ -67,13 +67,9 @@ def _or_otherwise(
     """
     if _flaws(raising) == (0, 0) or functional.outcome is not None:
         return raising
-    unhurt, touching = (
-        partial(other, target=AVOIDED, session=None),
-        partial(other, target=COLLISION),
-    )
-    for made in (unhurt, touching):
+    for asked in ({"target": AVOIDED, "session": None}, {"target": COLLISION}):
         try:
-            found = made()
+            found = other(**asked)
         except InfeasibleError:  # no way to touch: the near miss, and why it fails, is told
             continue
         if _flaws(found) == (0, 0):

@@ -6,7 +6,7 @@ import hashlib
 import json
 import shutil
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -51,18 +51,17 @@ def require_usable(folder: Path, *, force: bool) -> None:
         )
 
 
-def _in_the_way(folder: Path) -> list[tuple[str, str]]:
+def _in_the_way(folder: Path) -> Iterator[tuple[str, str]]:
     made = made_files(folder)
     if not made:
-        return [("the folder", "is not empty and was not made by scegen generate")]
-    changed = []
+        yield "the folder", "is not empty and was not made by scegen generate"
+        return
     for path in sorted(p for p in folder.rglob("*") if p.is_file() and p != folder / SUMMARY_FILE):
         name = path.relative_to(folder).as_posix()
         if name not in made:
-            changed.append((name, "was not made by scegen generate"))
+            yield name, "was not made by scegen generate"
         elif digest(path.read_bytes()) != made[name]:
-            changed.append((name, "was changed since it was made"))
-    return changed
+            yield name, "was changed since it was made"
 
 
 def write_files(folder: Path, files: Mapping[str, bytes]) -> None:

@@ -7,7 +7,7 @@ called with symbols; for a set of values, with the values.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from math import ceil, floor
 
@@ -20,7 +20,6 @@ from scegen.criticality.raising.raising import named_pair
 from scegen.criticality.raising.stage import Stage
 from scegen.criticality.search.problem import Problem, finishing
 from scegen.criticality.search.rebuild import DECIMALS, rebuilt
-from scegen.criticality.search.variables import Variable
 from scegen.criticality.target import NEAR_MISS, parse_target
 from scegen.errors import MotionInfeasibleError
 from scegen.export.expressions import Expression, Number
@@ -74,16 +73,6 @@ class ParameterSpace:
     def origin(self) -> Floats:
         """The scenario as it is (n,)."""
         return np.clip(np.round(self.problem.space.origin, DECIMALS), *self.bounds)
-
-    @property
-    def variables(self) -> Sequence[Variable]:
-        """What the parameters are, in the order of their names."""
-        return self.problem.space.variables
-
-    @property
-    def longest_s(self) -> float:
-        """So long may a scenario be with any values."""
-        return _LONGER[-1] * self.problem.duration_s
 
     def paths(self, concrete: ConcreteScenario) -> dict[str, Path]:
         """The paths of a scenario on this road, from where everybody starts."""
@@ -199,7 +188,7 @@ def parameterised(space: ParameterSpace) -> Parameterisation:
     ]
     ego = space.problem.ways[space.concrete.ego.id]
     declared += [
-        Declared(_DURATION, given[_DURATION], 0.0, space.longest_s),
+        Declared(_DURATION, given[_DURATION], 0.0, _LONGER[-1] * space.problem.duration_s),
         Declared(_EGO_GOES, given[_EGO_GOES], 0.0, ceil(ego.path.length_m)),
     ]
     symbols = {item.name: Expression.parameter(item.name, item.low, item.high) for item in declared}
@@ -267,7 +256,7 @@ def frozen(space: ParameterSpace, numbers: Numbers) -> list[str]:
                 items.append(f"of its phase {n} {' and '.join(fixed)}")
         if items:
             told.append(f"of {name}: {', '.join(items)}")
-    known = {variable.name for variable in space.variables}
+    known = {variable.name for variable in space.problem.space.variables}
     lost = [p.name for p in space.concrete.logical.parameters if p.name not in known]
     if lost:
         told.append(

@@ -28,12 +28,8 @@ def pick(
         InputError: a part names no scenario.
     """
     if expression is None:
-        return tuple(
-            sorted(
-                logical.scenarios,
-                key=lambda s: (-_hidden(s, logical), *richest_first(s, logical.functional)),
-            )
-        )
+        richest = sorted(logical.scenarios, key=lambda s: richest_first(s, logical.functional))
+        return tuple(sorted(richest, key=lambda s: -_hidden(s, logical)))
     if expression.strip() == "all":
         return logical.scenarios
     by_index = {s.index: s for s in logical.scenarios}

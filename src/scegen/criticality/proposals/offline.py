@@ -11,7 +11,6 @@ from collections.abc import Iterator
 
 from scegen.criticality.proposals.parameters import Parameter
 from scegen.criticality.proposals.proposal import Check, Encounter, Proposal, Proposed, Situation
-from scegen.criticality.target import Target
 from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.vocabulary import HazardKind
 
@@ -60,11 +59,9 @@ def _strengthened(situation: Situation) -> Iterator[Proposal]:
 
 def _of_hazard(situation: Situation, who: str, kind: HazardKind, quantity: str) -> Parameter | None:
     """The parameter by which somebody makes a danger, its own before the general one."""
-    own = [p for p in situation.parameters if p.name.startswith(f"{who}.{kind}_")]
-    for parameter in own:
-        if parameter.name.endswith(quantity):
-            return parameter
-    return situation.parameter(f"{who}.{quantity}")
+    own = (p for p in situation.parameters if p.name.startswith(f"{who}.{kind}_"))
+    general = situation.parameter(f"{who}.{quantity}")
+    return next((p for p in own if p.name.endswith(quantity)), general)
 
 
 def _timed(situation: Situation) -> Iterator[Proposal]:
@@ -134,7 +131,7 @@ def _wanted(situation: Situation, encounter: Encounter) -> tuple[float | None, b
 
 
 def _target_gap(situation: Situation, encounter: Encounter) -> float | None:
-    target: Target = situation.target
+    target = situation.target
     if target.contact:
         return None if encounter.gap_s < 0.0 else _TOUCHES_S
     for choice in target.choices:
