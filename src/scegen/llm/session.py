@@ -140,11 +140,9 @@ class Session:
         faults: list[Fault] = []
         used = Usage()
         for line in self._lines:
-            if line.chain in self._silent:
-                known = self._silent[line.chain]
-                faults.append(
-                    known.model_copy(update={"message": f"not asked again: {known.message}"})
-                )
+            if known := self._silent.get(line.chain):
+                again = f"not asked again: {known.message}"
+                faults.append(known.model_copy(update={"message": again}))
                 continue
             progress(f"asking {line.name}")
             asked.append(str(line.name))

@@ -7,6 +7,7 @@ agents pass them over, the reader's value stands: it knows better what a word or
 
 from __future__ import annotations
 
+from scegen.scenario.environment import Environment
 from scegen.scenario.functional import FunctionalScenario
 from scegen.understanding.agents.comparing import compare_hazards, compare_people
 from scegen.understanding.agents.deciding import EVERYBODYS, Decider
@@ -41,14 +42,6 @@ _JUNCTION = (
     "bend",
 )
 _NUMBERS = frozenset({"arms", "lanes", "ring_lanes", "speed_limit_mps", "lane_width_m"})
-_ENVIRONMENT = (
-    "weather",
-    "time_of_day",
-    "road_surface",
-    "visibility",
-    "friction",
-    "visual_range_m",
-)
 
 
 def combine(
@@ -63,7 +56,7 @@ def combine(
     decider = Decider(agents, reader)
     for name in _JUNCTION:
         _junction(decider, name)
-    for name in _ENVIRONMENT:
+    for name in Environment.model_fields:
         _environment(decider, name)
     if not _counts(decider):
         # participants taken over from the reader agree with it in everything

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from enum import StrEnum
 from functools import lru_cache
-from string import Template
 from textwrap import indent
 
 from scegen.llm.prompting import data_rule, listed, prompt_file, version_of
@@ -86,15 +85,12 @@ def prompts_version() -> str:
 
 
 def _common(part: str, path: str) -> str:
-    return _file("common").substitute(part=part, path=path, data_rule=data_rule())
+    common = prompt_file(__package__, "common")
+    return common.substitute(part=part, path=path, data_rule=data_rule())
 
 
 def _fill(name: str, words: Mapping[str, str]) -> str:
-    return "\n" + _file(name).substitute(words)
-
-
-def _file(name: str) -> Template:
-    return prompt_file(__package__, name)
+    return "\n" + prompt_file(__package__, name).substitute(words)
 
 
 def _words(table: Callable[[Iterable[StrEnum]], str]) -> dict[str, str]:

@@ -88,9 +88,8 @@ class Team:
 
     async def _first(self) -> Parts:
         road, participants = await _all_of(self._road(), self._participants())
-        hazards, acts = await _all_of(
-            self._hazards((road, participants)), self._acts((road, participants))
-        )
+        stage = (road, participants)
+        hazards, acts = await _all_of(self._hazards(stage), self._acts(stage))
         return Parts(road, participants, hazards, acts)
 
     async def _again(self, parts: Parts, objections: Iterable[Objection]) -> Parts:

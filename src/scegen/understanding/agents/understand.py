@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -77,13 +77,12 @@ def understand_in(
 class _Offline:
     """The reader's scenario, or why it has none; and the contradiction, if that is why."""
 
-    reading: FunctionalScenario | None
-    refusal: InputError | None = None
+    reading: FunctionalScenario | InputError
     contradiction: Contradiction | None = None
 
     def objections(self, scenario: FunctionalScenario) -> tuple[Objection, ...]:
         """What speaks against a scenario, in the eyes of the reader."""
-        if self.reading is not None:
+        if isinstance(self.reading, FunctionalScenario):
             return miscounted(self.reading, scenario) or lost(self.reading, scenario)
         return () if self.contradiction is None else self.contradiction.objections(scenario)
 
@@ -93,18 +92,18 @@ def _offline(text: str) -> _Offline:
     try:
         return _Offline(read(text))
     except (NotTrafficError, InfeasibleError) as error:
-        return _Offline(None, error, contradiction_in(text, error))
+        return _Offline(error, contradiction_in(text, error))
 
 
 def _combined(heard: Heard[Consulted], consulted: Consulted, offline: _Offline) -> Understanding:
     scenario, notes = consulted.scenario, list(consulted.notes)
     disagreements: list[Disagreement] = []
-    if offline.reading is not None:
+    if isinstance(offline.reading, FunctionalScenario):
         scenario, disagreements = combine(scenario, offline.reading)
     elif offline.contradiction is not None:
         disagreements = offline.contradiction.resolved_by(scenario, str(heard.speaker))
-    elif offline.refusal is not None:
-        notes.append(f"the {READER} could not use the text: {offline.refusal.message}")
+    else:
+        notes.append(f"the {READER} could not use the text: {offline.reading.message}")
     return Understanding(
         functional=scenario,
         speaker=str(heard.speaker),
@@ -118,9 +117,8 @@ def _combined(heard: Heard[Consulted], consulted: Consulted, offline: _Offline) 
 
 
 def _fallen_back(heard: Heard[Consulted], offline: _Offline) -> Understanding:
-    if offline.reading is None:
-        why = "; ".join(fault.in_words() for fault in heard.faults)
-        raise _worse(offline.refusal, why, heard.faults)
+    if isinstance(offline.reading, InputError):
+        raise _worse(offline.reading, heard.faults)
     return Understanding(
         functional=offline.reading,
         speaker=READER,
@@ -130,15 +128,11 @@ def _fallen_back(heard: Heard[Consulted], offline: _Offline) -> Understanding:
     )
 
 
-def _worse(refusal: InputError | None, why: str, faults: Iterable[Fault]) -> InputError:
+def _worse(refusal: InputError, faults: tuple[Fault, ...]) -> InputError:
     """The reader's error, which is about the text, with the models' faults."""
-    kind = type(refusal) if refusal is not None else InputError
-    message = refusal.message if refusal is not None else "the text could not be understood"
-    faults = tuple(faults)
+    kind = type(refusal)
     if faults and all(fault.kind is FaultKind.NOT_TRAFFIC for fault in faults):
         kind = NotTrafficError
-    return kind(
-        f"{message}; and no model could help: {why}",
-        where=refusal.where if refusal is not None else "description",
-        hint=refusal.hint if refusal is not None else None,
-    )
+    why = "; ".join(fault.in_words() for fault in faults)
+    message = f"{refusal.message}; and no model could help: {why}"
+    return kind(message, where=refusal.where, hint=refusal.hint)
