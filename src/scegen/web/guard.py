@@ -13,7 +13,9 @@ from dataclasses import dataclass
 from http.cookies import SimpleCookie
 from urllib.parse import parse_qs, urlsplit
 
+from starlette.responses import PlainTextResponse, RedirectResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
+from starlette.websockets import WebSocketClose
 
 LARGEST_BODY = 2_500_000
 """Bytes of a request; a scenario file needs a hundredth of it."""
@@ -42,6 +44,15 @@ class Refusal:
     status: int
     message: str
 
+    async def answer(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Say so to who asked."""
+        if scope["type"] == "websocket":
+            await receive()
+            await WebSocketClose(1008, self.message)(scope, receive, send)
+        else:
+            said = PlainTextResponse(self.message, self.status, {"connection": "close"})
+            await said(scope, receive, send)
+
 
 class Guard:
     """Lets through to ``app`` what may come through.
@@ -63,15 +74,16 @@ class Guard:
             await self._app(scope, receive, send)
             return
         headers = _headers(scope["headers"])
-        refusal = self._refusal(scope, headers)
-        if refusal is not None:
-            await _refuse(scope, receive, send, refusal)
+        bounded = _Bounded(receive, send)
+        answer: ASGIApp = self._app
+        if (refusal := self._refusal(scope, headers)) is not None:
+            answer = refusal.answer
         elif self._shown(scope):
-            await _let_in(send, f"{self._cookie}={self._proof}")
-        else:
-            kept = [pair for pair in scope["headers"] if not pair[0].startswith(_DROPPED)]
-            bounded = _Bounded(receive, send)
-            await self._app({**scope, "headers": kept}, bounded.receive, bounded.send)
+            # on to the page without the token in its address, which would stay in the history
+            cookie = f"{self._cookie}={self._proof}; Path=/; HttpOnly; SameSite=Strict"
+            answer = RedirectResponse("/", 303, {"set-cookie": cookie})
+        kept = [pair for pair in scope["headers"] if not pair[0].startswith(_DROPPED)]
+        await answer({**scope, "headers": kept}, bounded.receive, bounded.send)
 
     def _refusal(self, scope: Scope, headers: dict[str, str]) -> Refusal | None:
         host = headers.get("host", "")
@@ -138,27 +150,3 @@ def _headers(raw: Iterable[tuple[bytes, bytes]]) -> dict[str, str]:
 def _name(host: str) -> str:
     """A host without its port."""
     return (urlsplit(f"//{host}").hostname or "").lower()
-
-
-async def _let_in(send: Send, kept: str) -> None:
-    """On to the page without the token in its address, which would stay in the history."""
-    cookie = f"{kept}; Path=/; HttpOnly; SameSite=Strict"
-    headers = [(b"location", b"/"), (b"set-cookie", cookie.encode()), *_HEADERS.items()]
-    await send({"type": "http.response.start", "status": 303, "headers": headers})
-    await send({"type": "http.response.body", "body": b""})
-
-
-async def _refuse(scope: Scope, receive: Receive, send: Send, refusal: Refusal) -> None:
-    if scope["type"] == "websocket":
-        await receive()
-        await send({"type": "websocket.close", "code": 1008, "reason": refusal.message})
-        return
-    body = refusal.message.encode()
-    headers = [
-        (b"content-type", b"text/plain; charset=utf-8"),
-        (b"content-length", str(len(body)).encode()),
-        (b"connection", b"close"),
-        *_HEADERS.items(),
-    ]
-    await send({"type": "http.response.start", "status": refusal.status, "headers": headers})
-    await send({"type": "http.response.body", "body": body})
