@@ -24,7 +24,7 @@ LONGEST_RULES = 20_000
 
 @dataclass
 class Listing:
-    """The logical scenarios, as far as they are listed."""
+    """The logical scenarios, as far as they are listed; ``met`` is who meets whom in each."""
 
     functional: FunctionalScenario
     reduction: Reduction
@@ -34,18 +34,14 @@ class Listing:
     scenarios: list[LogicalScenario] = field(default_factory=list)
     whole: bool = False
     _by_index: dict[int, LogicalScenario] = field(default_factory=dict)
-    _meetings: dict[int, frozenset[Meeting]] = field(default_factory=dict)
+    met: dict[int, frozenset[Meeting]] = field(default_factory=dict)
 
     def add(self, scenarios: Iterable[LogicalScenario]) -> None:
         """Take in more; who meets whom in them is worked out now, not when it is looked at."""
         for scenario in scenarios:
             self.scenarios.append(scenario)
             self._by_index.setdefault(scenario.index, scenario)
-            self._meetings[scenario.index] = meetings(self.functional, scenario)
-
-    def meetings_of(self, scenario: LogicalScenario) -> frozenset[Meeting]:
-        """Who meets whom in one of the scenarios."""
-        return self._meetings[scenario.index]
+            self.met[scenario.index] = meetings(self.functional, scenario)
 
     def logical(self) -> LogicalSet:
         """The set as it is in a file."""

@@ -14,12 +14,13 @@ from fastapi.responses import JSONResponse, PlainTextResponse, Response
 from nicegui import app as pages
 
 from scegen import __version__
+from scegen.pipeline.command import command_line
 from scegen.pipeline.folder import SUMMARY_FILE, made_files
 from scegen.web.made import Made
 from scegen.web.pictures import tile
 from scegen.web.project import zipped
 from scegen.web.sessions import Sessions
-from scegen.web.steps.take_away import MODEL_SPOKE, again
+from scegen.web.steps.take_away import MODEL_SPOKE
 from scegen.web.work import Work
 
 MOST_TILES = 60
@@ -141,7 +142,7 @@ def readme(work: Work) -> str:
 
 def _how(made: Made) -> str:
     """The command that makes the files again, where the folder tells it."""
-    command = again(made)
+    command = command_line(made.summary, "again")
     if command is None:
         return ""
     spoken = f"{MODEL_SPOKE}\n\n" if "llm" in made.summary else ""

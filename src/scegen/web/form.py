@@ -7,7 +7,6 @@ word appears in the form by itself. Every word comes with its definition.
 from __future__ import annotations
 
 import types
-from collections.abc import Iterator
 from enum import Enum, StrEnum
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
@@ -15,6 +14,7 @@ from annotated_types import Ge, Gt, Le, Lt
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
+from scegen.report.words import KMH
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.glossary import meaning_of
 from scegen.scenario.junction import MAX_ARMS
@@ -23,8 +23,6 @@ from scegen.understanding import Finding, ParseReport, Standing
 from scegen.units import parted
 
 LEFT_OUT = frozenset({"level", "description", "evidence", "unsupported"})
-_KMH = 3.6
-"""In one m/s: people read speeds in km/h."""
 Spec = dict[str, Any]
 
 
@@ -33,9 +31,8 @@ def form_spec() -> list[Spec]:
     return [spec for spec in _fields(FunctionalScenario) if spec["name"] not in LEFT_OUT]
 
 
-def _fields(model: type[BaseModel]) -> Iterator[Spec]:
-    for name, field in model.model_fields.items():
-        yield _field(name, field)
+def _fields(model: type[BaseModel]) -> list[Spec]:
+    return [_field(name, field) for name, field in model.model_fields.items()]
 
 
 def _field(name: str, field: FieldInfo) -> Spec:
@@ -49,7 +46,7 @@ def _field(name: str, field: FieldInfo) -> Spec:
         "name": name,
         "label": label.replace("_", " "),
         "unit": "km/h" if is_speed else unit,
-        "factor": _KMH if is_speed else 1.0,
+        "factor": KMH if is_speed else 1.0,
         "required": field.is_required(),
         "default": _plain(default),
     }
@@ -92,7 +89,7 @@ def _single(plain: Any) -> Spec:  # noqa: ANN401 - any annotation
         if issubclass(plain, Interval):
             return {"type": "interval"}
         if issubclass(plain, BaseModel):
-            return {"type": "group", "fields": list(_fields(plain)), "means": _told(plain)}
+            return {"type": "group", "fields": _fields(plain), "means": _told(plain)}
         if issubclass(plain, StrEnum):
             return {"type": "word", "words": _words(plain)}
         if issubclass(plain, bool):
@@ -105,7 +102,7 @@ def _single(plain: Any) -> Spec:  # noqa: ANN401 - any annotation
 def _list(item: Any, name: str) -> Spec:  # noqa: ANN401 - any annotation
     plain, _ = _unwrapped(item)
     if isinstance(plain, type) and issubclass(plain, BaseModel) and not issubclass(plain, Interval):
-        return {"type": "list", "fields": list(_fields(plain)), "means": _told(plain)}
+        return {"type": "list", "fields": _fields(plain), "means": _told(plain)}
     if _is(item, Identifier):
         return {"type": "names", "of": _of(name)}
     return {"type": "sequence", "whole": plain is int}
@@ -114,7 +111,7 @@ def _list(item: Any, name: str) -> Spec:  # noqa: ANN401 - any annotation
 def _member(annotation: Any) -> Spec:  # noqa: ANN401 - a model
     """One model of a union that is told apart by its field ``type``."""
     model, _ = _unwrapped(annotation)
-    fields = list(_fields(model))
+    fields = _fields(model)
     tag = next(f for f in fields if f["name"] == "type")["default"]
     rest = [f for f in fields if f["name"] != "type"]
     return {"tag": tag, "label": str(tag).replace("_", " "), "fields": rest, "means": _told(model)}

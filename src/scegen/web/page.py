@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import asyncio
 from collections import Counter
-from collections.abc import Callable
-from dataclasses import dataclass
+from functools import partial
 
 from nicegui import ui
 from nicegui.elements.mixins.text_element import TextElement
@@ -28,22 +27,14 @@ from scegen.web.work import Work
 _ELEMENTS = "scegen.web.elements"
 _TICK_S = 0.3
 """How often the seconds of what is under way are told; changes are drawn at once."""
-
-
-@dataclass(frozen=True, slots=True)
-class _StepKind:
-    name: str
-    label: str
-    view: Callable[[Work, Callable[[str], None]], StepView]
-
-
-_STEPS = (
-    _StepKind("describe", "Describe", Describe),
-    _StepKind("choose", "Choose", Choose),
-    _StepKind("danger", "Make dangerous", Danger),
-    _StepKind("watch", "Watch", Watch),
-    _StepKind("take", "Take away", TakeAway),
-)
+_STEPS: dict[str, tuple[str, type[StepView]]] = {
+    "describe": ("Describe", Describe),
+    "choose": ("Choose", Choose),
+    "danger": ("Make dangerous", Danger),
+    "watch": ("Watch", Watch),
+    "take": ("Take away", TakeAway),
+}
+"""By name: the label and the view of each."""
 
 
 class Page:
@@ -67,8 +58,11 @@ class Page:
         with node("header", "topbar"):
             node("a", "brand", "ML-SceGen", href="/", aria_label="ML-SceGen, start page")
             with node("nav", "steps", aria_label="Steps"):
-                for number, step in enumerate(_STEPS, start=1):
-                    self._build_mark(number, step)
+                for number, (name, (label, _)) in enumerate(_STEPS.items(), start=1):
+                    with clickable("stepmark", partial(self.go, name)) as made:
+                        node("span", "stepmark-number", str(number))
+                        node("span", "stepmark-label", label)
+                        self._marks[name] = (made, node("span", "stepmark-note"))
             with node("div", "topbar-end"):
                 self._place = node("span", "place")
                 button("Open", Opening(self._work, self.go).show, "quiet")
@@ -98,18 +92,12 @@ class Page:
             return
         self._step = step
         self._stage.clear()
-        kind = next(kind for kind in _STEPS if kind.name == step)
+        _, view = _STEPS[step]
         with self._stage:
-            self._view = kind.view(self._work, self.go)
+            self._view = view(self._work, self.go)
             self._view.build()
         self._seen = Counter(self._work.revision)
         self._show_marks()
-
-    def _build_mark(self, number: int, step: _StepKind) -> None:
-        with clickable("stepmark", lambda: self.go(step.name)) as made:
-            node("span", "stepmark-number", str(number))
-            node("span", "stepmark-label", step.label)
-            self._marks[step.name] = (made, node("span", "stepmark-note"))
 
     def _tick(self) -> None:
         self._due = False

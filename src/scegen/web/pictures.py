@@ -9,7 +9,7 @@ from dataclasses import fields
 from typing import Any
 
 from scegen.report.theme import LIGHT, Theme
-from scegen.report.tile import TILE_WIDTH, describe, roads, tile_body, tile_height, tile_svg
+from scegen.report.tile import TILE_WIDTH, describe, roads, tile_body, tile_svg
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario
 
@@ -27,11 +27,6 @@ def _properties() -> Theme:
 PAGE = _properties()
 
 
-def participant_colours(functional: FunctionalScenario) -> dict[str, str]:
-    """The colour of each participant, by id."""
-    return PAGE.colours((p.id for p in functional.participants), functional.ego.id)
-
-
 def tile_picture(scenario: LogicalScenario, functional: FunctionalScenario) -> str:
     """A logical scenario as a picture."""
     return tile_svg(scenario, functional, tile_body(scenario, functional, theme=PAGE))
@@ -44,11 +39,6 @@ def tile(scenario: LogicalScenario, functional: FunctionalScenario) -> dict[str,
         "name": describe(scenario),
         "svg": tile_picture(scenario, functional),
     }
-
-
-def tile_ratio(functional: FunctionalScenario) -> float:
-    """Height of a tile by its width."""
-    return tile_height(functional) / TILE_WIDTH
 
 
 def junction(functional: FunctionalScenario) -> str:

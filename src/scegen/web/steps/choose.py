@@ -8,12 +8,12 @@ from typing import Any
 
 from scegen.enumeration.choosing.coverage import Meeting
 from scegen.enumeration.user_rules import VOCABULARY
+from scegen.report.tile import TILE_WIDTH, tile_height
 from scegen.scenario.glossary import meaning_of
 from scegen.scenario.vocabulary import ArmsMode, Reduction
 from scegen.scenario.wording import counted
 from scegen.web.choice import LONGEST_RULES
 from scegen.web.elements import Entry, Gallery, Handler, Rules, button, choice, drawn, mark, node
-from scegen.web.pictures import tile_ratio
 from scegen.web.steps.filters import Filters
 from scegen.web.steps.step import Activity, Go, StepView
 from scegen.web.work import Work
@@ -45,7 +45,12 @@ class Choose(StepView):
                 self._rules.when(keep=lambda text: work.keep_rules(str(text)))
                 node("h2", "", "Count as one")
                 with node("div", "counting"):
-                    self._counting()
+                    _notion(
+                        "reduction",
+                        work.reduction,
+                        lambda w: work.count_as(Reduction(w), work.arms),
+                    )
+                    _notion("arms", work.arms, lambda w: work.count_as(work.reduction, ArmsMode(w)))
             with node("section", "pane tiles", aria_label="Scenarios"):
                 with node("div", "lead"):
                     self._title = node("h1")
@@ -73,7 +78,7 @@ class Choose(StepView):
                         self._next = button("", lambda: self._go("danger"), "primary")
                 self._certificate = node("p", "certificate soft")
                 self._activity = Activity(work, "listing", "choosing")
-                ratio = tile_ratio(work.functional) if work.functional else 1.2
+                ratio = tile_height(work.functional) / TILE_WIDTH if work.functional else 1.2
                 self._gallery = Gallery(source="/tiles", ratio=ratio)
                 self._gallery.when(pick=self._pick, only=lambda index: work.choose([int(index)]))
             with node("section", "pane covered", aria_label="Coverage"):
@@ -105,11 +110,6 @@ class Choose(StepView):
         self._chosen_only.text = f"Chosen ({len(work.picked)})"
         shown = sorted(work.picked) if self._only else work.shown
         self._gallery.show(indices=shown, picked=work.picked, edition=work.edition)
-
-    def _counting(self) -> None:
-        work = self._work
-        _notion("reduction", work.reduction, lambda w: work.count_as(Reduction(w), work.arms))
-        _notion("arms", work.arms, lambda w: work.count_as(work.reduction, ArmsMode(w)))
 
     def _pick(self, what: dict[str, Any]) -> None:
         picked = list(self._work.picked)
@@ -162,7 +162,7 @@ class Choose(StepView):
         chosen: Counter[Meeting] = Counter()
         picked = set(work.picked)
         for scenario in listing.scenarios:
-            held = listing.meetings_of(scenario)
+            held = listing.met[scenario.index]
             possible.update(held)
             if scenario.index in picked:
                 chosen.update(held)

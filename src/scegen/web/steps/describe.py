@@ -40,8 +40,7 @@ class Describe(StepView):
 
     def build(self) -> None:
         """Make the elements."""
-        self._whole = node("div", "describe")
-        with self._whole:
+        with node("div", "describe") as self._whole:
             with node("section", "pane words", aria_label="Description"):
                 node("h1", "", "Describe a driving situation")
                 node("p", "promise", _PROMISE)
@@ -83,8 +82,7 @@ class Describe(StepView):
     def _build_examples(self) -> None:
         with self._examples:
             for name, text in EXAMPLES.items():
-                example = node("button", "tag example", type="button", data_tip=text)
-                with example:
+                with node("button", "tag example", type="button", data_tip=text) as example:
                     node("strong", "", name)
                     node("span", "", text)
                 example.on(
@@ -176,9 +174,9 @@ class Describe(StepView):
                 node("p", "empty", "counting …")
                 return
             with node("div", "tally"):
-                node("span", "figure", f"{certificate.count:,}")
-                one = certificate.count == 1
-                node("span", "", "distinct scenario" if one else "distinct scenarios")
+                figure, what = counted(certificate.count, "distinct scenario").split(maxsplit=1)
+                node("span", "figure", figure)
+                node("span", "", what)
             node("p", "soft", f"of {counted(certificate.total, 'assignment')}")
             button("See them all", lambda: self._go("choose"), "primary wide")
             picture = junction(work.functional)

@@ -18,13 +18,12 @@ from scegen.web.work import Work
 class Facet:
     """A group of values of which any may hold.
 
-    ``test`` makes the condition of several values at once; ``found`` counts the scenarios of each.
+    ``terms`` holds the condition of each value, ``found`` counts the scenarios of each.
     """
 
     label: str
-    values: tuple[str, ...]
-    terms: tuple[str, ...]
-    found: tuple[int, ...]
+    terms: dict[str, str]
+    found: Counter[str]
 
 
 class Filters:
@@ -60,12 +59,12 @@ class Filters:
         with node("div", "facet"):
             node("span", "facet-label", facet.label)
             with node("span", "chips"):
-                for value, term, count in zip(facet.values, facet.terms, facet.found, strict=True):
+                for value, term in facet.terms.items():
                     key = (facet.label, term)
                     toggle = partial(self._toggle, key)
                     with clickable("tag", toggle, aria_pressed="false") as chip:
                         node("span", "", value if value in names else value.replace("_", " "))
-                        node("span", "tag-count", f"{count}")
+                        node("span", "tag-count", f"{facet.found[value]}")
                     self._chips[key] = chip
 
     def _toggle(self, key: tuple[str, str]) -> None:
@@ -88,7 +87,7 @@ class Filters:
     def _written(self) -> str:
         parts = []
         for facet in self._facets:
-            chosen = [t for t in facet.terms if (facet.label, t) in self._on]
+            chosen = [t for t in facet.terms.values() if (facet.label, t) in self._on]
             if chosen:
                 either = " or ".join(chosen)
                 parts.append(f"({either})" if len(chosen) > 1 else either)
@@ -105,12 +104,12 @@ def facets_of(listing: Listing) -> list[Facet]:
     for scenario in scenarios:
         kinds.update({c.kind.value for c in scenario.conflicts})
         yielding.update({c.yields for c in scenario.conflicts if c.yields})
-    facets.append(_facet("conflicts", {k: f"conflicts({k}) >= 1" for k in sorted(kinds)}, kinds))
-    facets.append(_facet("gives way", {n: f"yields({n})" for n in names if yielding[n]}, yielding))
+    facets.append(Facet("conflicts", {k: f"conflicts({k}) >= 1" for k in sorted(kinds)}, kinds))
+    facets.append(Facet("gives way", {n: f"yields({n})" for n in names if yielding[n]}, yielding))
     stuck = sum(bool(s.deadlock) for s in scenarios)
-    facets.append(_facet("deadlock", {"possible": "deadlock"}, Counter({"possible": stuck})))
+    facets.append(Facet("deadlock", {"possible": "deadlock"}, Counter({"possible": stuck})))
     every = len(scenarios)
-    return [f for f in facets if len(f.values) > 1 or 0 < sum(f.found) < every]
+    return [f for f in facets if len(f.terms) > 1 or 0 < f.found.total() < every]
 
 
 def _turns(name: str, scenarios: list[LogicalScenario]) -> Facet:
@@ -119,8 +118,4 @@ def _turns(name: str, scenarios: list[LogicalScenario]) -> Facet:
         assignment = scenario.assignment(name)
         if isinstance(assignment, Drive):
             found[assignment.turn.value] += 1
-    return _facet(name, {turn: f"{name}.turn == {turn}" for turn in sorted(found)}, found)
-
-
-def _facet(label: str, terms: dict[str, str], found: Counter[str]) -> Facet:
-    return Facet(label, tuple(terms), tuple(terms.values()), tuple(found[value] for value in terms))
+    return Facet(name, {turn: f"{name}.turn == {turn}" for turn in sorted(found)}, found)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from scegen.report.contents import VERDICTS
 from scegen.report.judgement import verdict_words
-from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.proof import Proof
 from scegen.scenario.wording import figure
 from scegen.web.elements import dotted, drawn, node
@@ -20,25 +19,21 @@ def outcome_cards(work: Work) -> None:
     if work.stale:
         node("p", "note", "Made before your last change; search again to make it anew.")
     for made in work.made.scenarios:
-        outcome_card(made, work.made.functional)
+        with node("article", "card"):
+            with node("h3", ""):
+                dotted(made.state, made.name)
+            with node("div", "card-body"):
+                if work.made.functional is not None:
+                    drawn(tile_picture(made.concrete.logical, work.made.functional), "paper")
+                with node("div", ""):
+                    _figures(made)
     for name, reason in work.made.skipped.items():
         with node("div", "remark"):
             dotted("open", f"{name}: {reason}")
 
 
-def outcome_card(made: MadeScenario, functional: FunctionalScenario | None) -> None:
-    """One scenario: whether it is what was asked for, in figures."""
-    with node("article", "card"):
-        with node("h3", ""):
-            dotted(made.state, made.name)
-        with node("div", "card-body"):
-            if functional is not None:
-                drawn(tile_picture(made.concrete.logical, functional), "paper")
-            with node("div", ""):
-                _figures(made)
-
-
 def _figures(made: MadeScenario) -> None:
+    """Whether a scenario is what was asked for."""
     if made.proof is not None:
         _proof(made.proof)
     if made.verdict is not None:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from scegen.web.elements import Form, button, node, tell
 from scegen.web.form import form_spec, standings
 from scegen.web.jobs import JobState
-from scegen.web.pictures import participant_colours
+from scegen.web.pictures import PAGE
 from scegen.web.work import Work
 
 Go = Callable[[str], None]
@@ -49,7 +49,7 @@ def show_form(form: Form, work: Work) -> None:
         form.show(
             scenario=functional.model_dump(mode="json"),
             standings=standings(work.report),
-            colours=participant_colours(functional),
+            colours=PAGE.colours((p.id for p in functional.participants), functional.ego.id),
             wrong=work.form_trouble,
         )
 
@@ -62,8 +62,7 @@ class Activity:
 
     def __init__(self, work: Work, *kinds: str) -> None:
         self._work, self._kinds = work, kinds
-        self._line = node("div", "activity", role="status", aria_live="polite")
-        with self._line:
+        with node("div", "activity", role="status", aria_live="polite") as self._line:
             node("span", "spinner")
             self._text = node("span", "activity-text")
             button("Cancel", self._cancel, "small")

@@ -105,7 +105,7 @@ class TakeAway(StepView):
         file = f"{made.folder.name}.zip"
         node("a", "button primary wide", f"Download {file}", href="/download/zip", download=file)
         node("p", "soft", f"In the project folder: {made.folder.name}/")
-        command = again(made)
+        command = command_line(made.summary, "again")
         if command is not None:
             node("h2", "", "The same files again, byte for byte")
             with node("div", "command"):
@@ -120,8 +120,3 @@ class TakeAway(StepView):
                 with node("li", ""):
                     node("a", "", name, href=f"/download/file?name={name}", download=True)
                     node("span", "soft", _LEVELS.get(name.rsplit("/", 1)[-1], ""))
-
-
-def again(made: Made) -> str | None:
-    """The command that makes a folder again, to be run in it; None if it does not tell how."""
-    return command_line(made.summary, "again")
