@@ -10,7 +10,7 @@ from scegen.motion.footprints import box_corners
 from scegen.motion.model import Array, Trace
 from scegen.report.drawing import Style, area, box, circle, element
 from scegen.report.theme import Theme
-from scegen.report.world import corners_at, placed
+from scegen.report.world import corners_at
 from scegen.scenario.bodies import Body
 from scegen.scenario.vocabulary import ANIMALS, ON_FOOT, ParticipantKind
 
@@ -108,11 +108,6 @@ def ghost(trace: Trace, step: int, colour: str, width_m: float) -> str:
     dashes = f"{4 * width_m:.3f} {2.5 * width_m:.3f}"
     at = corners_at(trace, step)
     return area(at, colour, fill_opacity=0.45, **rim, stroke_dasharray=dashes)
-
-
-def standing_at(trace: Trace, step: int, drawn: str) -> str:
-    """A body where its trace has it at one step."""
-    return placed(drawn, trace.x_m[step], trace.y_m[step], trace.heading_rad[step])
 
 
 def swept(trace: Trace, first: int = 0, last: int | None = None) -> list[Array]:

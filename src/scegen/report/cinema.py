@@ -20,9 +20,8 @@ _SWATCH, _SHARES = (24, 24), (1.0, 0.6, 0.35)
 """Size in pixels, and how strongly ways and rings are drawn over what lies beneath."""
 _LEAST_CS = 2
 """Hundredths of a second; players slow down what is faster."""
-_QUIET = ("-loglevel", "error")
-_SAME_BYTES = ("-threads", "1", "-fflags", "+bitexact", "-flags:v", "+bitexact",
-               "-map_metadata", "-1")  # fmt: skip
+_QUIETLY = ["-loglevel", "error", "-threads", "1", "-fflags", "+bitexact",
+             "-flags:v", "+bitexact", "-map_metadata", "-1"]  # fmt: skip
 
 
 def gif_of(film: Film, watch: Watch = iter) -> bytes:
@@ -53,8 +52,7 @@ def write_mp4(film: Film, path: Path, fps: float, watch: Watch = iter) -> None:
     with of_extra("video", "a video", "imageio_ffmpeg"):
         ffmpeg = import_module("imageio_ffmpeg")
     options = {"pix_fmt_in": "rgb24", "codec": "libx264", "macro_block_size": 2, "fps": fps}
-    more = [*_QUIET, *_SAME_BYTES]
-    writer = ffmpeg.write_frames(str(path), film.size, output_params=more, **options)
+    writer = ffmpeg.write_frames(str(path), film.size, output_params=_QUIETLY, **options)
     writer.send(None)
     try:
         for picture in _held(film, fps, watch):

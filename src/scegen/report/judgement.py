@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from scegen.criticality.careful_driver import DELAY_S, RISK_EVALUATION_S, Outcome, Verdict
 from scegen.criticality.reactivity.sensitivity import Sensitivity, Start
 from scegen.report.tables import Row, Table
@@ -11,44 +13,40 @@ _MODEL = "careful and competent driver of UN R157; its use here, beyond motorway
 
 def verdict_words(verdict: Verdict) -> str:
     """The verdict in a few sentences."""
-    return " ".join([*_outcome(verdict), *_reaction(verdict), *_margin(verdict)])
+    return " ".join([_outcome(verdict), _reaction(verdict), *_margin(verdict)])
 
 
-def _outcome(verdict: Verdict) -> list[str]:
+def _outcome(verdict: Verdict) -> str:
     if verdict.outcome is Outcome.UNAVOIDABLE:
         others, at = " and ".join(verdict.contact), verdict.contact_speed_mps
         speed = "" if at is None else f" (ego at {at:.1f} m/s)"
-        return [f"A careful driver would touch {others} all the same{speed}."]
+        return f"A careful driver would touch {others} all the same{speed}."
     if driven := " and ".join(verdict.contact_as_driven):
-        return [f"A careful driver would not touch {driven}."]
-    return ["Nobody is touched as it is, and nobody with a careful driver."]
+        return f"A careful driver would not touch {driven}."
+    return "Nobody is touched as it is, and nobody with a careful driver."
 
 
-def _reaction(verdict: Verdict) -> list[str]:
+def _reaction(verdict: Verdict) -> str:
     if verdict.danger is None or verdict.perceived_s is None:
-        return ["No danger ahead is perceivable for long enough to react."]
+        return "No danger ahead is perceivable for long enough to react."
     said = f"{verdict.danger} is a perceivable danger from {verdict.perceived_s:.2f} s"
     if verdict.brakes_s is None:
-        return [f"{said}; braking for it would only bring about a contact."]
+        return f"{said}; braking for it would only bring about a contact."
     late = RISK_EVALUATION_S + DELAY_S
-    return [f"{said}, the brakes act {late:.2f} s later, at {verdict.brakes_s:.2f} s."]
+    return f"{said}, the brakes act {late:.2f} s later, at {verdict.brakes_s:.2f} s."
 
 
-def _margin(verdict: Verdict) -> list[str]:
-    parts = []
+def _margin(verdict: Verdict) -> Iterator[str]:
     if verdict.outcome is Outcome.AVOIDABLE and verdict.distance_m != float("inf"):
-        parts.append(f"Remaining distance {verdict.distance_m:.2f} m.")
+        yield f"Remaining distance {verdict.distance_m:.2f} m."
     if verdict.spare_s is not None:
-        amount = f"{abs(verdict.spare_s):.1f} s"
-        if verdict.outcome is Outcome.AVOIDABLE:
-            parts.append(f"The brakes could act {amount} later.")
-        else:
-            parts.append(f"The brakes would have to act {amount} earlier.")
+        amount, avoidable = f"{abs(verdict.spare_s):.1f} s", verdict.outcome is Outcome.AVOIDABLE
+        how = f"could act {amount} later" if avoidable else f"would have to act {amount} earlier"
+        yield f"The brakes {how}."
     if verdict.secondary:
         names = " and ".join(verdict.secondary)
         does = "does" if len(verdict.secondary) == 1 else "do"
-        parts.append(f"It stops and stays: {names}, who {does} not react, would run into it.")
-    return parts
+        yield f"It stops and stays: {names}, who {does} not react, would run into it."
 
 
 def judgement_tables(verdict: Verdict | None, sensitivity: Sensitivity | None) -> list[Table]:

@@ -106,18 +106,10 @@ def _cost(where: Rectangle, apart: float, bodies: Iterable[Rectangle], ways: Arr
 
 
 def _overlap(a: Rectangle, b: Rectangle) -> bool:
-    return (
-        a[0] < b[2] + _MARGIN
-        and b[0] < a[2] + _MARGIN
-        and a[1] < b[3] + _MARGIN
-        and b[1] < a[3] + _MARGIN
-    )
+    gaps = (a[0] - b[2], b[0] - a[2], a[1] - b[3], b[1] - a[3])
+    return max(gaps) < _MARGIN
 
 
 def _contains(outer: Rectangle, inner: Rectangle) -> bool:
-    return (
-        inner[0] >= outer[0] + _MARGIN
-        and inner[1] >= outer[1] + _MARGIN
-        and inner[2] <= outer[2] - _MARGIN
-        and inner[3] <= outer[3] - _MARGIN
-    )
+    gaps = (inner[0] - outer[0], inner[1] - outer[1], outer[2] - inner[2], outer[3] - inner[3])
+    return min(gaps) >= _MARGIN

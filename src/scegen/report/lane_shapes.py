@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from math import ceil, sqrt
+from math import ceil, copysign, sqrt
 
 import numpy as np
 import shapely
@@ -93,9 +93,7 @@ def _add_middle(shapes: RoadShapes, road: Road, poses: Array) -> None:
         kind.append(_offset(poses, road.lane_offset_m))
     elif road.arm is not None or road.goes_on or len({lane > 0 for lane in every}) > 1:
         for lane in (side[0] for side in (road.driving(1), road.driving(-1)) if side):
-            inner = road.lane_centre_t_m(lane) - (road.lane(lane).width_m / 2) * (
-                1 if lane > 0 else -1
-            )
+            inner = road.lane_centre_t_m(lane) - copysign(road.lane(lane).width_m / 2, lane)
             shapes.edge_lines.append(_offset(poses, inner))
 
 

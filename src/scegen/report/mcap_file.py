@@ -26,12 +26,8 @@ from scegen.scenario.concrete import ConcreteScenario
 _LIBRARIES = ("mcap", "mcap_protobuf", "foxglove_schemas_protobuf", "google")
 _LIBRARY = "ML-SceGen"
 _MAP = "map"
-_EGO, _OTHER, _THING, _MARK = (
-    (0.90, 0.35, 0.10, 0.9),
-    (0.20, 0.45, 0.80, 0.9),
-    (0.5, 0.5, 0.5, 0.9),
-    (0.8, 0.8, 0.8, 1.0),
-)
+_EGO, _OTHER = (0.90, 0.35, 0.10, 0.9), (0.20, 0.45, 0.80, 0.9)
+_THING, _MARK = (0.5, 0.5, 0.5, 0.9), (0.8, 0.8, 0.8, 1.0)
 _MARK_M = 0.12
 _SERIES = ("time_s", "x_m", "y_m", "heading_rad", "speed_mps")
 """What is plotted; so are the fields of a trace called."""

@@ -81,14 +81,10 @@ def _beside(boxes: Array, width: float, side: tuple[float, float]) -> Array:
 
 
 def _meet(a: Array, b: Array) -> NDArray[np.bool_]:
-    met: NDArray[np.bool_] = (
-        (a[:, 0] < b[:, 2]) & (b[:, 0] < a[:, 2]) & (a[:, 1] < b[:, 3]) & (b[:, 1] < a[:, 3])
-    )
+    met: NDArray[np.bool_] = np.all((a[:, :2] < b[:, 2:]) & (b[:, :2] < a[:, 2:]), axis=1)
     return met
 
 
 def _leaves(a: Array, size: tuple[int, int]) -> NDArray[np.bool_]:
-    left: NDArray[np.bool_] = (
-        (a[:, 0] < 0) | (a[:, 1] < 0) | (a[:, 2] > size[0]) | (a[:, 3] > size[1])
-    )
+    left: NDArray[np.bool_] = np.any((a[:, :2] < 0) | (a[:, 2:] > size), axis=1)
     return left

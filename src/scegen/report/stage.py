@@ -11,14 +11,14 @@ from numpy.typing import NDArray
 
 from scegen.criticality.encounter import Encounter
 from scegen.motion.model import Array, Path, Trace
-from scegen.report.bodies import body, braking, ghost, standing_at, swept
+from scegen.report.bodies import body, braking, ghost, swept
 from scegen.report.drawing import area, areas, box, letters, line, lines
 from scegen.report.labels import WAY_STEP_PX, Label, Rectangle, draw_labels, place
 from scegen.report.plan import arrow_head
 from scegen.report.raster import text_width
 from scegen.report.theme import Theme
 from scegen.report.words import KMH
-from scegen.report.world import Surroundings, View, corners_at, thing_corners
+from scegen.report.world import Surroundings, View, corners_at, placed, thing_corners
 from scegen.road.model import RoadNetwork
 from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
 
@@ -46,11 +46,12 @@ class Stage:
         shown = []
         for p in people:
             trace = self.traces[p.id]
-            if view.shows(trace.x_m[step], trace.y_m[step]):
+            x, y, heading = trace.x_m[step], trace.y_m[step], trace.heading_rad[step]
+            if view.shows(x, y):
                 brake = p.id in brakes and bool(brakes[p.id][step])
                 paint = (self.colour[p.id], self.theme, view.scale)
                 drawn = body(p.kind, p.body, *paint, ego=p.id == ego, braking=brake)
-                shown.append(standing_at(trace, step, drawn))
+                shown.append(placed(drawn, x, y, heading))
         return "".join(shown)
 
     def box_of(self, name: str, step: int) -> Array:

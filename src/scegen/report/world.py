@@ -65,14 +65,8 @@ class View:
 
     def seen(self, points: Array) -> Array:
         """Points of the world (…, 2) as places on the picture."""
-        x, y = points[..., 0], points[..., 1]
-        return np.stack(
-            (
-                self.left + self.width / 2 + (x - self.x_m) * self.scale,
-                self.top + self.height / 2 - (y - self.y_m) * self.scale,
-            ),
-            axis=-1,
-        )
+        middle = np.array((self.left + self.width / 2, self.top + self.height / 2))
+        return middle + (points - (self.x_m, self.y_m)) * (self.scale, -self.scale)
 
     def picture(self, world: str, ground: str, name: str | None = None) -> str:
         """What is drawn in metres, on this ground, where this view shows it.

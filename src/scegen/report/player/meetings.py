@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import ceil, isfinite, isnan
 
@@ -78,10 +78,10 @@ class Meetings:
 
     def data(self, step_s: float) -> Data:
         """Pairs, areas and lines of sight for the player, in samples of ``step_s``."""
-        pairs, areas, hidden = self._series(step_s), self._areas(), self._hidden()
+        pairs, areas, hidden = map(list, (self._series(step_s), self._areas(), self._hidden()))
         return {"pairs": pairs, "areas": areas, "hidden": hidden}
 
-    def _series(self, step_s: float) -> list[Data]:
+    def _series(self, step_s: float) -> Iterator[Data]:
         """Each sample is the smallest value until the next: the least is that of the proof."""
         tracks, bodies, pairs = self.traces.tracks, self.scene.bodies, self.scene.pairs
         distance = distance_series(tracks, bodies, pairs)[0]
@@ -89,27 +89,22 @@ class Meetings:
         ttc[ttc > _FARTHEST_TTC_S] = np.inf
         every = max(1, round(step_s / self.traces.dt_s))
         starts = np.arange(0, len(distance), every)
-        result = []
         for n, (a, b) in enumerate(pairs):
             apart, left_s = (np.minimum.reduceat(of[:, n], starts) for of in (distance, ttc))
-            result.append(
-                {
-                    "between": [self.names[a], self.names[b]],
-                    "distance_m": compact(apart.tolist(), 2),
-                    "ttc_s": compact(left_s.tolist(), 2),
-                    "least": {
-                        name: round(float(value), 3)
-                        for name in ("distance_m", "ttc_s", "pet_s")
-                        if isfinite(value := getattr(self.summary, name)[0, n])
-                    },
-                }
-            )
-        return result
+            yield {
+                "between": [self.names[a], self.names[b]],
+                "distance_m": compact(apart.tolist(), 2),
+                "ttc_s": compact(left_s.tolist(), 2),
+                "least": {
+                    name: round(float(value), 3)
+                    for name in ("distance_m", "ttc_s", "pet_s")
+                    if isfinite(value := getattr(self.summary, name)[0, n])
+                },
+            }
 
-    def _areas(self) -> list[Data]:
+    def _areas(self) -> Iterator[Data]:
         """Common ground of crossing and merging ways, and when either is on it."""
         areas = self.scene.areas
-        result = []
         for p, pair in enumerate(self.scene.pairs.tolist()):
             for n in range(areas.first[p], areas.first[p + 1]):
                 enter, leave = areas.enter_m[n], areas.leave_m[n]
@@ -124,15 +119,12 @@ class Meetings:
                 times = [self._spell(i, enter[k], leave[k]) for k, i in enumerate(pair)]
                 first, second = (self.traces.tracks[0, i] for i in pair)
                 pet_s = post_encroachment_time(first, second, enter, leave, self.traces.dt_s)
-                result.append(
-                    {
-                        "between": [self.names[i] for i in pair],
-                        "points": points(np.asarray(hull.exterior.coords).ravel().tolist()),
-                        "occupied_s": times,
-                        "pet_s": round(pet_s, 3) if isfinite(pet_s) else None,
-                    }
-                )
-        return result
+                yield {
+                    "between": [self.names[i] for i in pair],
+                    "points": points(np.asarray(hull.exterior.coords).ravel().tolist()),
+                    "occupied_s": times,
+                    "pet_s": round(pet_s, 3) if isfinite(pet_s) else None,
+                }
 
     def _swept(self, one: int, low_m: float, high_m: float) -> shapely.Geometry:
         """The ground that a body covers between two places of its way."""
@@ -154,22 +146,18 @@ class Meetings:
         last_s = float(self.traces.time_s[-1])
         return [round(begins, 2), round(last_s if isnan(ends) else ends, 2)]
 
-    def _hidden(self) -> list[Data]:
+    def _hidden(self) -> Iterator[Data]:
         """Who is hidden from whom by whom, and when."""
         if not len(self.scene.occlusions):
-            return []
+            return
         flags = occlusion_series(self.traces.tracks, self.scene.bodies, self.scene.occlusions)[0]
         dt_s = self.traces.dt_s
-        result = []
         for n, triple in enumerate(self.scene.occlusions.tolist()):
             edges = np.flatnonzero(np.diff(np.concatenate(([0], flags[:, n], [0]))))
             spans = (edges.reshape(-1, 2) * dt_s).round(2).tolist()
             if spans:
                 observer, target, occluder = (self.names[i] for i in triple)
-                result.append(
-                    {"observer": observer, "target": target, "by": occluder, "spans_s": spans}
-                )
-        return result
+                yield {"observer": observer, "target": target, "by": occluder, "spans_s": spans}
 
 
 def meetings_of(
