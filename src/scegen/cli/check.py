@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
+from rich.console import Console
 
 from scegen.cli.console import result_json, working
 from scegen.cli.options import JsonFlag
@@ -44,8 +45,6 @@ def check(
     if json:
         result_json([report.to_data() for report in reports])
     else:
-        from rich.console import Console
-
         Console().print(reports_table(reports))
     if not all(report.ok for report in reports):
         raise typer.Exit(1)

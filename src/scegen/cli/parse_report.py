@@ -5,6 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from rich.console import Console
+
 from scegen.cli.console import result, result_json, say
 from scegen.errors import InfeasibleError, NotTrafficError
 
@@ -49,8 +51,6 @@ def show_refusal(source: str, error: InputError, *, as_json: bool = False) -> No
 
 
 def _show(report: ParseReport, as_json: bool) -> None:
-    from rich.console import Console
-
     console = Console(highlight=False)
     if as_json:
         result_json(report.to_data())

@@ -10,7 +10,6 @@ import typer
 
 from scegen.cli.console import counting, result, write_bytes
 from scegen.cli.options import ScenarioOption
-from scegen.cli.trace import CONCRETE_FILE
 from scegen.errors import InputError
 from scegen.pipeline.place import scenario_file
 
@@ -57,6 +56,7 @@ def render(
     theme: Annotated[ThemeName, typer.Option(help="Colours.")] = ThemeName.LIGHT,
 ) -> None:
     """Render a scenario as animated GIF, video or a still picture."""
+    from scegen.checking.subject import CONCRETE_FILE
     from scegen.pipeline.folder import record
     from scegen.pipeline.rendering import RATES, rendered
     from scegen.report.film import Cut

@@ -13,8 +13,6 @@ from scegen.errors import InputError
 from scegen.pipeline.options import TraceFormat, TracePlayer
 from scegen.pipeline.place import scenario_file
 
-CONCRETE_FILE = "concrete.yaml"
-
 
 def trace(
     place: Annotated[
@@ -34,6 +32,7 @@ def trace(
     ] = 0.05,
 ) -> None:
     """Write time, place, heading and speed of everybody, in SI units."""
+    from scegen.checking.subject import CONCRETE_FILE
     from scegen.pipeline.tracing import trace_file
     from scegen.scenario.concrete import ConcreteScenario
     from scegen.scenario.files import load

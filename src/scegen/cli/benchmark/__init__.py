@@ -9,11 +9,6 @@ from scegen.cli.benchmark.understand import understand
 app = typer.Typer(help="Repeat measured claims.", no_args_is_help=True, rich_markup_mode=None)
 
 
-@app.callback()
-def _group() -> None:
-    """Repeat measured claims."""
-
-
 app.command("paper")(paper)
 app.command("said")(said)
 app.command("understand")(understand)

@@ -5,13 +5,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import typer
+from rich.console import Console
+from rich.table import Table
 
 from scegen.cli.console import result_json, working
 from scegen.cli.options import JsonFlag, SeedOption
 
 if TYPE_CHECKING:
     from scegen.benchmark.paper import Row
-    from scegen.scenario.proof import HazardProof, Proof
+    from scegen.scenario.proof import HazardProof
 
 
 def paper(json: JsonFlag = False, seed: SeedOption = 0) -> None:
@@ -46,9 +48,6 @@ def paper(json: JsonFlag = False, seed: SeedOption = 0) -> None:
 
 
 def _print_table(rows: list[Row], caption: str) -> None:
-    from rich.console import Console
-    from rich.table import Table
-
     checkers = list(dict.fromkeys(name for row in rows for name in row.checks))
     table = Table(caption=f"cases with every check passed: {caption}", caption_justify="left")
     table.add_column("case", no_wrap=True)
@@ -70,9 +69,6 @@ def _print_table(rows: list[Row], caption: str) -> None:
 
 
 def _print_danger(rows: list[Row], caption: str) -> None:
-    from rich.console import Console
-    from rich.table import Table
-
     table = Table(caption=caption, caption_justify="left")
     for name in ("case", "dangers, by which margin", "criticality"):
         table.add_column(name, overflow="fold")
@@ -84,10 +80,11 @@ def _print_danger(rows: list[Row], caption: str) -> None:
         if proof is None:
             table.add_row(row.case, "-")
             continue
+        measure = proof.of(proof.measure)
         table.add_row(
             row.case.removeprefix("paper-"),
             "\n".join(_danger(hazard) for hazard in proof.hazards) or "none asked for",
-            _before_after(proof),
+            "-" if measure is None else f"{measure.name} {measure.in_words}",
             "yes" if proof.in_band else "NO",
             {"avoidable": "yes", "unavoidable": "no"}.get(row.verdict or "", "-"),
             {True: "yes", False: "no", None: "-"}[row.reactive],
@@ -102,8 +99,3 @@ def _danger(hazard: HazardProof) -> str:
     if not hazard.happened:
         return f"{name}: NO"
     return name if hazard.margin is None else f"{name}: {hazard.margin:.2f} {hazard.unit}"
-
-
-def _before_after(proof: Proof) -> str:
-    measure = proof.of(proof.measure)
-    return "-" if measure is None else f"{measure.name} {measure.in_words}"

@@ -11,14 +11,12 @@ from scegen.cli.campaign.report import report
 from scegen.cli.campaign.run import run
 from scegen.cli.campaign.select import select
 
-_OWN = {"--help", "run"}
-
 
 class _RunUnlessSaid(TyperGroup):
     """``scegen campaign RUN.yaml`` stands for ``scegen campaign run RUN.yaml``."""
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:  # noqa: ANN401 - typer's own
-        if args and args[0] not in {*_OWN, *self.commands}:
+        if args and args[0] not in {"--help", *self.commands}:
             args = ["run", *args]
         return super().parse_args(ctx, args)
 
@@ -30,11 +28,6 @@ app = typer.Typer(
     no_args_is_help=True,
     rich_markup_mode=None,
 )
-
-
-@app.callback()
-def _group() -> None:
-    """Make thousands of scenarios from many descriptions, and look through them."""
 
 
 app.command("run")(run)

@@ -19,7 +19,7 @@ from rich.progress import (
 )
 
 from scegen.cli.console import INTERRUPTED, result, say, stderr
-from scegen.cli.options import CAMPAIGN
+from scegen.cli.options import CAMPAIGN, WhereOption
 from scegen.errors import InputError, of_extra
 
 if TYPE_CHECKING:
@@ -55,9 +55,7 @@ def run(
     count: Annotated[
         int | None, typer.Option(min=1, help="How many where --pick names none, richest first.")
     ] = None,
-    where: Annotated[
-        str | None, typer.Option(help="Only scenarios for which this holds, such as yields(ego).")
-    ] = None,
+    where: WhereOption = None,
     concretizations: Annotated[
         int | None, typer.Option("--concretizations", "-k", min=1, help="How many of each.")
     ] = None,
