@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from scegen.checking import CheckStatus, Severity, check_path
 from scegen.checking.opendrive import check_opendrive
-from scegen.checking.opendrive.curves import Arc, Cubic, Spiral
+from scegen.checking.opendrive.curves import Arc, Cubic, Poly3, Spiral
 from scegen.checking.opendrive.lanes import reference
 from scegen.checking.opendrive.locate import lanes_at
 from scegen.checking.openscenario import CHECKER, check_openscenario
@@ -48,11 +48,12 @@ def road(*geometries, version="4"):
 
 LINE = ("<line/>", Arc(), 40.0)
 BENDS_IN = (f'<spiral curvStart="0" curvEnd="{LAST}"/>', CLOTHOID, LENGTH)
+ALONG = Poly3(0.0, 0.0, 1.0, 0.0, 0.0)
 V = (0.0, 0.0, 4e-3, -3e-5)
 POLYNOMIAL = (
     '<paramPoly3 pRange="arcLength" aU="0" bU="1" cU="0" dU="0" '
     f'aV="{V[0]}" bV="{V[1]}" cV="{V[2]}" dV="{V[3]}"/>',
-    Cubic((0.0, 1.0, 0.0, 0.0), V, 1.0),
+    Cubic(ALONG, Poly3(0.0, *V), 1.0),
     30.0,
 )
 
@@ -60,7 +61,7 @@ POLYNOMIAL = (
 @given(bends, bends, lengths)
 def test_curves_run_where_they_head(first, last, length):
     """The derivative of the point is the heading, that of the heading the curvature."""
-    cubic = Cubic((0.0, 1.0, 0.0, 0.0), (0.0, 0.0, first / 2, last / 300), 1.0)
+    cubic = Cubic(ALONG, Poly3(0.0, 0.0, 0.0, first / 2, last / 300), 1.0)
     for curve in (Arc(first), Spiral(first, (last - first) / length)):
         for ds in (0.0, 0.3 * length, length):
             step = (curve.point(ds + 1e-4) - curve.point(ds - 1e-4)) / 2e-4

@@ -140,14 +140,8 @@ def _prepare(subject: Subject, checkers: Collection[str]) -> tuple[asam.Job, lis
     They check 5 of their 17 rules of OpenSCENARIO 1.0: a 1.2 twin stands for a scenario that is
     what was written as 1.0.
     """
-    asked = {
-        checker: file
-        for checker, file in (
-            (asam.OPENDRIVE, subject.road),
-            (asam.OPENSCENARIO, subject.scenario),
-        )
-        if file is not None and checker in checkers
-    }
+    given = ((asam.OPENDRIVE, subject.road), (asam.OPENSCENARIO, subject.scenario))
+    asked = {name: file for name, file in given if file is not None and name in checkers}
     results = [not_run(checker, UNSOUND) for checker, file in asked.items() if not file.sound]
     road = subject.road if subject.road and subject.road.sound else None
     scenario = asked.get(asam.OPENSCENARIO)

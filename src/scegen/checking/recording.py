@@ -11,7 +11,7 @@ import numpy as np
 
 from scegen.checking.environment import esmini
 from scegen.checking.esmini.layout import simulated_csv
-from scegen.checking.esmini.playing import TIMEOUT_S, NotPlayedError, Played, play
+from scegen.checking.esmini.playing import NotPlayedError, Played, play
 from scegen.checking.esmini.recording import Movement, RecordingError, read_recording
 from scegen.errors import InputError
 from scegen.motion.model import Trace
@@ -35,11 +35,7 @@ class Recorded:
 
 
 def record(
-    scenario: Path,
-    concrete: ConcreteScenario,
-    *,
-    timeout_s: float = TIMEOUT_S,
-    once: Callable[[], Played] | None = None,
+    scenario: Path, concrete: ConcreteScenario, once: Callable[[], Played] | None = None
 ) -> Recorded:
     """Run a scenario: in esmini where it is there, else in our own simulation.
 
@@ -52,7 +48,7 @@ def record(
     if esmini() is None:
         return Recorded(Player.OWN, simulated_csv(concrete))
     try:
-        played = once() if once is not None else play(scenario, timeout_s)
+        played = once() if once is not None else play(scenario)
     except NotPlayedError as reason:
         raise InputError(str(reason), where=str(scenario)) from reason
     if played.code != 0:

@@ -120,10 +120,7 @@ class CheckReport:
 
     def result(self, checker: str) -> CheckResult:
         """The result of one checker; KeyError if it was not asked."""
-        for candidate in self.results:
-            if candidate.checker == checker:
-                return candidate
-        raise KeyError(checker)
+        return {result.checker: result for result in self.results}[checker]
 
     def to_data(self) -> dict[str, Any]:
         """The report as JSON-able data."""

@@ -49,7 +49,7 @@ def check_said(
         message = "is described but does not take part in concrete.yaml"
         return verdict(CHECKER, [error("said.participant", name, message) for name in missing])
     try:
-        recorded = record(scenario, concrete, once=once)
+        recorded = record(scenario, concrete, once)
         view = recorded_view(concrete, read_recording(recorded.csv))
     except (ScegenError, RecordingError) as problem:
         return not_run(CHECKER, str(problem))

@@ -20,7 +20,6 @@ def check_esmini(
     scenario: Path,
     network: Network | None = None,
     concrete: ConcreteScenario | None = None,
-    timeout_s: float = TIMEOUT_S,
     driven_from_outside: frozenset[str] = frozenset(),
     once: Callable[[], Played] | None = None,
 ) -> CheckResult:
@@ -31,14 +30,14 @@ def check_esmini(
     ``once`` plays it, for others too.
     """
     try:
-        played = once() if once is not None else play(scenario, timeout_s)
+        played = once() if once is not None else play(scenario)
     except NotPlayedError as reason:
         return not_run(CHECKER, str(reason))
     findings = list(check_log(played.log))
     if concrete is None and played.code == 0:
         findings = list(as_remarks(findings))  # it plays the file of somebody else all the same
     if played.code is None:
-        message = f"the scenario did not end within {timeout_s:g} s"
+        message = f"the scenario did not end within {TIMEOUT_S:g} s"
         return verdict(CHECKER, [*findings, error("esmini.end", scenario.name, message)])
     if played.code != 0:
         message = f"esmini ended with exit code {played.code}"

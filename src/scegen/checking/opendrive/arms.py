@@ -17,8 +17,6 @@ from scegen.scenario.concrete import ConcreteScenario
 
 ANGLE_DEG = 5.0
 """How far an arm's outer end may lie beside the direction that the scenario gives it."""
-
-
 STRIPS = frozenset({"biking", "parking", "shoulder", "sidewalk"})
 """Types of lanes beside the driving ones on which one may stand, ride or walk."""
 

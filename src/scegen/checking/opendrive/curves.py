@@ -1,4 +1,4 @@
-"""Shapes of reference lines (OpenDRIVE 1.7, 8.2), each from the origin along the x axis.
+"""Cubics, and shapes of reference lines (OpenDRIVE 1.7, 8.2), from the origin along the x axis.
 
 ``ds`` counts from its start. Lengths in metres, headings in radians, curvatures in 1/m, left turns
 positive. Written apart from the generator's own geometry on purpose: a checker that shares the
@@ -10,12 +10,36 @@ from __future__ import annotations
 from cmath import exp
 from dataclasses import dataclass
 from math import atan2, ceil, sin
+from typing import TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
+S = TypeVar("S", float, NDArray[np.float64])
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(6)
 _PIECE_M = 5.0
 """Six nodes on so short a piece place a clothoid of a road to less than a nanometre."""
+
+
+@dataclass(frozen=True, slots=True)
+class Poly3:
+    """a + b·u + c·u² + d·u³ with u measured from ``s``."""
+
+    s: float
+    a: float
+    b: float
+    c: float
+    d: float
+
+    def value(self, s: S) -> S:
+        """The value at ``s``, or at places."""
+        u = s - self.s
+        return self.a + u * (self.b + u * (self.c + u * self.d))
+
+    def slope(self, s: float) -> float:
+        """The derivative at ``s``."""
+        u = s - self.s
+        return self.b + u * (2 * self.c + u * 3 * self.d)
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,31 +89,24 @@ class Spiral:
 class Cubic:
     """A parametric cubic: u and v by the powers of p = ds · ``scale``."""
 
-    u: tuple[float, float, float, float]
-    v: tuple[float, float, float, float]
+    u: Poly3
+    v: Poly3
     scale: float
 
     def point(self, ds: float) -> complex:
         """The point, as x + iy."""
-        p = ds * self.scale
-        return complex(*(a + p * (b + p * (c + p * d)) for a, b, c, d in (self.u, self.v)))
+        return complex(self.u.value(ds * self.scale), self.v.value(ds * self.scale))
 
     def heading(self, ds: float) -> float:
         """The heading."""
-        u, v = self._first(ds)
-        return atan2(v, u)
+        return atan2(self.v.slope(ds * self.scale), self.u.slope(ds * self.scale))
 
     def curvature(self, ds: float) -> float:
         """The curvature."""
         p = ds * self.scale
-        u, v = self._first(ds)
-        uu, vv = (2 * c + 6 * d * p for _, _, c, d in (self.u, self.v))
+        u, v = self.u.slope(p), self.v.slope(p)
+        uu, vv = (2 * cubic.c + 6 * cubic.d * p for cubic in (self.u, self.v))
         return float((u * vv - v * uu) / (u * u + v * v) ** 1.5)
-
-    def _first(self, ds: float) -> tuple[float, float]:
-        p = ds * self.scale
-        u, v = (b + p * (2 * c + p * 3 * d) for _, b, c, d in (self.u, self.v))
-        return u, v
 
 
 Curve = Arc | Spiral | Cubic

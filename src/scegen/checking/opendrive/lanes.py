@@ -8,14 +8,13 @@ from dataclasses import dataclass
 from math import atan2, ceil
 from typing import NamedTuple
 
+from scegen.checking.opendrive.curves import Poly3
 from scegen.checking.opendrive.network import (
     END,
     START,
-    Geometry,
     Junction,
     LaneSection,
     Network,
-    Poly3,
     Road,
     lane_place,
     piece_at,
@@ -33,14 +32,9 @@ def stations(start: float, end: float) -> list[float]:
 
 def reference(road: Road, s: float) -> tuple[complex, float, float]:
     """Point, heading and curvature of the reference line at ``s``."""
-    geometry = geometry_at(road, s)
+    geometry = piece_at(road.geometries, s) or road.geometries[0]
     ds = s - geometry.s
     return geometry.point(ds), geometry.heading_at(ds), geometry.shape.curvature(ds)
-
-
-def geometry_at(road: Road, s: float) -> Geometry:
-    """The geometry that covers ``s`` (the last one begun)."""
-    return piece_at(road.geometries, s) or road.geometries[0]
 
 
 def section_at(road: Road, s: float) -> LaneSection:

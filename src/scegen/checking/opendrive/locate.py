@@ -11,15 +11,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from scegen.checking.opendrive.curves import Arc
-from scegen.checking.opendrive.network import (
-    Geometry,
-    LaneSection,
-    Network,
-    Poly3,
-    Road,
-    lane_place,
-)
+from scegen.checking.opendrive.curves import Arc, Poly3
+from scegen.checking.opendrive.network import Geometry, LaneSection, Network, Road, lane_place
 
 TOLERANCE_M = 0.05
 """How far outside a lane a point may lie and still count as on it."""

@@ -10,34 +10,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TypeVar
 
-import numpy as np
-from numpy.typing import NDArray
-
-from scegen.checking.opendrive.curves import Curve
+from scegen.checking.opendrive.curves import Curve, Poly3
 
 START, END = "start", "end"
-S = TypeVar("S", float, NDArray[np.float64])
-
-
-@dataclass(frozen=True, slots=True)
-class Poly3:
-    """a + b·u + c·u² + d·u³ with u measured from ``s``."""
-
-    s: float
-    a: float
-    b: float
-    c: float
-    d: float
-
-    def value(self, s: S) -> S:
-        """The value at ``s``, or at places."""
-        u = s - self.s
-        return self.a + u * (self.b + u * (self.c + u * self.d))
-
-    def slope(self, s: float) -> float:
-        """The derivative at ``s``."""
-        u = s - self.s
-        return self.b + u * (2 * self.c + u * 3 * self.d)
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple, TypeVar
+from typing import TypeVar
 
 from lxml import etree
 
 from scegen.checking.documents import Document, usable
-from scegen.checking.opendrive.curves import Arc, Cubic, Curve, Spiral
+from scegen.checking.opendrive.curves import Arc, Cubic, Curve, Poly3, Spiral
 from scegen.checking.opendrive.network import (
     Connection,
     Geometry,
@@ -17,7 +17,6 @@ from scegen.checking.opendrive.network import (
     LaneSection,
     Link,
     Network,
-    Poly3,
     Road,
 )
 from scegen.checking.results import Finding, error
@@ -26,31 +25,21 @@ N = TypeVar("N", Road, Junction)
 READABLE = "xodr.readable"
 MPS = {"m/s": 1.0, "km/h": 1 / 3.6, "mph": 0.44704}
 """Units of speed (OpenDRIVE e_unitSpeed) in m/s."""
-
-
 SHAPES = frozenset({"line", "arc", "spiral", "poly3", "paramPoly3"})
-
-
-class ReadNetwork(NamedTuple):
-    """The network, without the parts that ``findings`` says could not be read."""
-
-    network: Network
-    findings: tuple[Finding, ...]
 
 
 class _UnreadableError(Exception):
     """An attribute or element that the reader needs is missing or makes no sense."""
 
 
-def read_network(document: Document) -> ReadNetwork:
+def read_network(document: Document) -> tuple[Network, tuple[Finding, ...]]:
     """Read roads and junctions; a road that cannot be read is left out and reported."""
     findings: list[Finding] = []
     roads = _by_id(document, "road", _road, findings)
     junctions = _by_id(document, "junction", _junction, findings)
     if not roads and not findings:
         findings.append(error(READABLE, document.name, "has no road"))
-    network = Network(document.name, document.version, roads, junctions)
-    return ReadNetwork(network, tuple(findings))
+    return Network(document.name, document.version, roads, junctions), tuple(findings)
 
 
 def _by_id(
@@ -95,8 +84,7 @@ def _whole(element: etree._Element, name: str) -> int:
 
 
 def _poly3(element: etree._Element, start: str, offset: float = 0.0) -> Poly3:
-    a, b, c, d = (_number(element, name) for name in "abcd")
-    return Poly3(offset + _number(element, start), a, b, c, d)
+    return Poly3(offset + _number(element, start), *(_number(element, name) for name in "abcd"))
 
 
 def _road(element: etree._Element) -> Road:
@@ -166,15 +154,10 @@ def _curve(shape: etree._Element, length: float) -> Curve | None:
         first, last = _number(shape, "curvStart"), _number(shape, "curvEnd")
         return Spiral(first, (last - first) / length if length else 0.0)
     if shape.tag == "paramPoly3":
-        u, v = (_cubic(shape, axis) for axis in "UV")
+        u, v = (Poly3(0.0, *(_number(shape, power + axis) for power in "abcd")) for axis in "UV")
         by_length = shape.get("pRange") == "arcLength"
         return Cubic(u, v, 1.0 if by_length else 1.0 / length if length else 0.0)
     return None
-
-
-def _cubic(shape: etree._Element, axis: str) -> tuple[float, float, float, float]:
-    a, b, c, d = (_number(shape, f"{power}{axis}") for power in "abcd")
-    return a, b, c, d
 
 
 def _sections(element: etree._Element, length: float) -> tuple[LaneSection, ...]:

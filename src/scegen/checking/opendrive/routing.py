@@ -11,8 +11,6 @@ from scegen.checking.opendrive.network import END, START, Network, Road
 
 Node = tuple[str, int, int]
 """Road id, index of the lane section, lane."""
-
-
 LaneGraph = dict[Node, tuple[Node, ...]]
 """The driving lanes, each with those that follow."""
 

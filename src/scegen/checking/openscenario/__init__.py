@@ -9,7 +9,7 @@ from pathlib import PurePosixPath
 from scegen.checking.documents import BrokenXmlError, parse_document
 from scegen.checking.opendrive.arms import match_arms
 from scegen.checking.opendrive.network import Network
-from scegen.checking.openscenario.read import ReadStoryboard, read_storyboard
+from scegen.checking.openscenario.read import read_storyboard
 from scegen.checking.openscenario.rules.objects import check_objects
 from scegen.checking.openscenario.rules.paths import check_paths
 from scegen.checking.openscenario.rules.references import (
@@ -79,13 +79,14 @@ def check_openscenario(
 def driven_from_outside(name: str, content: bytes) -> frozenset[str]:
     """The entities of a file that somebody else drives; none in a file that cannot be read."""
     try:
-        return _read(name, content).storyboard.driven_from_outside
+        storyboard, _ = _read(name, content)
     except BrokenXmlError:
         return frozenset()
+    return storyboard.driven_from_outside
 
 
 @lru_cache(maxsize=1)
-def _read(name: str, content: bytes) -> ReadStoryboard:
+def _read(name: str, content: bytes) -> tuple[Storyboard, tuple[Finding, ...]]:
     """The storyboard of a file, for all who ask for it one after the other.
 
     Raises:

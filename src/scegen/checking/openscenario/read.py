@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from math import nan
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from lxml import etree
@@ -16,7 +16,6 @@ from scegen.checking.openscenario.storyboard import (
     EXTERNAL_PROPERTY,
     Entity,
     LanePoint,
-    Reference,
     Storyboard,
     Trajectory,
     WorldPoint,
@@ -36,13 +35,6 @@ _COUNT: Any = etree.XPath(f"count({_VERTICES})")
 _ODD: Any = etree.XPath(f"{_VERTICES}[count(Position/WorldPosition) != 1]")
 
 
-class ReadStoryboard(NamedTuple):
-    """The storyboard, without what ``findings`` says could not be read."""
-
-    storyboard: Storyboard
-    findings: tuple[Finding, ...]
-
-
 class _UnreadableError(Exception):
     """A value that makes no sense, at a line of the file; or only to this reader."""
 
@@ -54,10 +46,13 @@ class _UnreadableError(Exception):
         super().__init__(message)
 
 
-def read_storyboard(document: Document) -> ReadStoryboard:
-    """Read a scenario; parameters (``$name``) are replaced by their declared values."""
+def read_storyboard(document: Document) -> tuple[Storyboard, tuple[Finding, ...]]:
+    """Read a scenario; parameters (``$name``) are replaced by their declared values.
+
+    What cannot be read is left out and reported.
+    """
     reader = _Reader(document)
-    return ReadStoryboard(reader.storyboard(), tuple(reader.findings))
+    return reader.storyboard(), tuple(reader.findings)
 
 
 def _plain(trajectory: etree._Element) -> NDArray[np.float64] | None:
@@ -220,10 +215,10 @@ class _Reader:
         time = self.number(element, "time") if element.get("time") else nan
         return time, place.x, place.y, place.heading
 
-    def references(self, root: etree._Element) -> Iterator[Reference]:
+    def references(self, root: etree._Element) -> Iterator[tuple[str, str]]:
         for element in _REFERRING(root):
             place = f"{self.document.name}:{element.sourceline} <{element.tag}>"
-            yield Reference(self.text(element, "entityRef"), place)
+            yield place, self.text(element, "entityRef")
 
     def lane_points(self, root: etree._Element) -> Iterator[tuple[str, LanePoint]]:
         for element in root.iter("LanePosition"):

@@ -87,17 +87,12 @@ class Trajectory:
         return WorldPoint(float(last.real), float(last.imag), heading) if left == 0.0 else None
 
 
-@dataclass(frozen=True, slots=True)
-class Reference:
-    """A mention of an entity; ``place`` says where."""
-
-    entity: str
-    place: str
-
-
 @dataclass(frozen=True)
 class Storyboard:
-    """Everything that the rules look at; ``starts``: where the Init section puts entities."""
+    """Everything that the rules look at; ``starts``: where the Init section puts entities.
+
+    ``references`` are names of entities, ``lane_points`` positions, each with where it stands.
+    """
 
     name: str
     version: str
@@ -105,7 +100,7 @@ class Storyboard:
     entities: tuple[Entity, ...]
     starts: dict[str, WorldPoint | LanePoint | None]
     trajectories: tuple[Trajectory, ...]
-    references: tuple[Reference, ...]
+    references: tuple[tuple[str, str], ...]
     lane_points: tuple[tuple[str, LanePoint], ...]
 
     @property

@@ -5,16 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from itertools import pairwise
 
+from scegen.checking.opendrive.curves import Poly3
 from scegen.checking.opendrive.lanes import lane_width, stations
-from scegen.checking.opendrive.network import (
-    END,
-    START,
-    Lane,
-    Network,
-    Poly3,
-    lane_place,
-    road_place,
-)
+from scegen.checking.opendrive.network import END, START, Lane, Network, lane_place, road_place
 from scegen.checking.opendrive.tolerances import GAP_M
 from scegen.checking.results import Finding, error
 

@@ -16,13 +16,12 @@ def check_entities(situation: Situation) -> Iterator[Finding]:
     for name, times in counted.items():
         if times > 1:
             yield error("xosc.entity", name, f"is the name of {times} entities")
-    for reference in situation.storyboard.references:
-        if reference.entity.startswith("$"):
-            message = f"names the entity by {reference.entity!r}, which is not worked out"
-            yield unchecked("xosc.entity", reference.place, message)
-        elif reference.entity not in counted:
-            message = f"names the unknown entity {reference.entity!r}"
-            yield error("xosc.entity", reference.place, message)
+    for place, name in situation.storyboard.references:
+        if name.startswith("$"):
+            message = f"names the entity by {name!r}, which is not worked out"
+            yield unchecked("xosc.entity", place, message)
+        elif name not in counted:
+            yield error("xosc.entity", place, f"names the unknown entity {name!r}")
 
 
 def check_ego(situation: Situation) -> Iterator[Finding]:
