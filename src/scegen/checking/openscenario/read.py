@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from math import nan
 from typing import Any
 
@@ -78,7 +79,6 @@ class _Reader:
         logic = root.find("RoadNetwork/LogicFile")
         return Storyboard(
             name=self.document.name,
-            version=".".join(self.document.version),
             road_file=None if logic is None else self.text(logic, "filepath"),
             entities=tuple(self.entity(e) for e in root.iterfind("Entities/ScenarioObject")),
             starts=self.starts(root),
@@ -107,9 +107,13 @@ class _Reader:
             )
         return value
 
-    def report(self, problem: _UnreadableError) -> None:
-        place = f"{self.document.name}:{problem.line}"
-        self.findings.append(problem.found(READABLE, place, str(problem)))
+    @contextmanager
+    def reporting(self) -> Iterator[None]:
+        try:
+            yield
+        except _UnreadableError as problem:
+            place = f"{self.document.name}:{problem.line}"
+            self.findings.append(problem.found(READABLE, place, str(problem)))
 
     def entity(self, element: etree._Element) -> Entity:
         body = next((child for child in element if child.tag in BODIES), None)
@@ -132,14 +136,12 @@ class _Reader:
     def size_m(self, element: etree._Element | None) -> tuple[float, float, float] | None:
         if element is None:
             return None
-        try:
+        with self.reporting():
             length, width, height = (
                 self.number(element, name) for name in ("length", "width", "height")
             )
-        except _UnreadableError as problem:
-            self.report(problem)
-            return None
-        return length, width, height
+            return length, width, height
+        return None
 
     def starts(self, root: etree._Element) -> dict[str, WorldPoint | LanePoint | None]:
         found: dict[str, WorldPoint | LanePoint | None] = {}
@@ -153,15 +155,13 @@ class _Reader:
             return None
         world, lane = element.find("WorldPosition"), element.find("LanePosition")
         along = element.find("TrajectoryPosition")
-        try:
+        with self.reporting():
             if world is not None:
                 return self.world_point(world)
             if along is not None:
                 return self.on_trajectory(along)
             return None if lane is None else self.lane_point(lane)
-        except _UnreadableError as problem:
-            self.report(problem)
-            return None
+        return None
 
     def on_trajectory(self, element: etree._Element) -> WorldPoint | None:
         trajectory = element.find("TrajectoryRef/Trajectory")
@@ -189,11 +189,9 @@ class _Reader:
             actors = tuple(self.text(e, "entityRef") for e in group.iterfind("Actors/EntityRef"))
             for action in group.iterfind(".//FollowTrajectoryAction"):
                 for element in action.iterfind(".//Trajectory"):
-                    try:
+                    with self.reporting():
                         begins_m = self.number(action, "initialDistanceOffset", "0")
                         yield self.trajectory(element, actors, begins_m)
-                    except _UnreadableError as problem:
-                        self.report(problem)
 
     def trajectory(
         self, element: etree._Element, actors: tuple[str, ...], begins_m: float = 0.0
@@ -222,8 +220,5 @@ class _Reader:
 
     def lane_points(self, root: etree._Element) -> Iterator[tuple[str, LanePoint]]:
         for element in root.iter("LanePosition"):
-            try:
-                place = f"{self.document.name}:{element.sourceline}"
-                yield place, self.lane_point(element)
-            except _UnreadableError as problem:
-                self.report(problem)
+            with self.reporting():
+                yield f"{self.document.name}:{element.sourceline}", self.lane_point(element)

@@ -95,7 +95,6 @@ class Storyboard:
     """
 
     name: str
-    version: str
     road_file: str | None
     entities: tuple[Entity, ...]
     starts: dict[str, WorldPoint | LanePoint | None]

@@ -22,7 +22,7 @@ from scegen.scenario.concrete import (
 from scegen.scenario.reversing import BacksOut
 from scegen.scenario.vocabulary import ON_FOOT
 
-_BESIDE_M = 1.0
+BESIDE_M = 1.0
 """Who keeps so far beside the middle of its lane may be above the next one."""
 
 
@@ -45,8 +45,7 @@ def check_paths(situation: Situation) -> Iterator[Finding]:
         elif trajectory is None or not situation.arms or not len(trajectory.points):
             continue
         elif isinstance(motion, DriveMotion):
-            lanes = under[participant.id]
-            yield from _drive(situation, participant, motion, trajectory, lanes)
+            yield from _drive(situation, participant, motion, trajectory, under[participant.id])
         elif isinstance(motion, CrossingMotion):
             yield from _crossing(situation, participant.id, motion, trajectory)
 
@@ -75,8 +74,7 @@ def _drive(
     for number, (vertex, lanes) in enumerate(zip(trajectory.points, under, strict=True)):
         if number >= beside and all(lane.type not in usable for lane in lanes):
             at = f"({vertex.real:.2f}, {vertex.imag:.2f})"
-            message = f"vertex {number} {at} lies on no driving lane"
-            yield error("xosc.off_road", name, message)
+            yield error("xosc.off_road", name, f"vertex {number} {at} lies on no driving lane")
             break
     if isinstance(motion.reversal, BacksOut) and motion.reversal.straight_m is not None:
         return  # it stays where it has come to
@@ -97,7 +95,7 @@ def _drive(
 def _is_aside(motion: DriveMotion) -> bool:
     """Whether a drive ends beside the middle of its lane."""
     last = motion.lane_changes[-1].offset_m if motion.lane_changes else motion.offset_m
-    return abs(last) > _BESIDE_M
+    return abs(last) > BESIDE_M
 
 
 def _comes_from_beside(motion: DriveMotion, trajectory: Trajectory) -> int:

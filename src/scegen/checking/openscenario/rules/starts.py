@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from scegen.checking.opendrive.arms import Arm
 from scegen.checking.opendrive.locate import OnLane, in_words
+from scegen.checking.openscenario.rules.paths import BESIDE_M
 from scegen.checking.openscenario.situation import Situation
 from scegen.checking.results import Finding, error, unchecked
 from scegen.scenario.concrete import (
@@ -18,8 +19,6 @@ from scegen.scenario.reversing import BacksOut
 
 RULE = "xosc.start"
 _ENDS = 2
-_BESIDE_M = 1.0
-"""Who keeps so far beside the middle of its lane may be above the next one."""
 
 
 def check_starts(situation: Situation) -> Iterator[Finding]:
@@ -83,7 +82,7 @@ def _where_asked(
         number = reversal.arm
     arm = arms[number]
     if isinstance(motion, DriveMotion) and (
-        abs(motion.offset_m) > _BESIDE_M or not motion.entry_lane
+        abs(motion.offset_m) > BESIDE_M or not motion.entry_lane
     ):
         return  # beside its lane, or against the traffic: its path is checked instead
     here = [lane for lane in lanes if lane.road == arm.road.id]
