@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import tempfile
+from collections import defaultdict
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from scegen.checking import REPLAY, CheckReport, CheckStatus, check_folder
+from scegen.checking.results import worst
 from scegen.errors import ScegenError
 from scegen.measures import warm_kernels
 from scegen.pipeline.generate import generate
@@ -150,10 +152,8 @@ def _agrees(scenario: Path) -> bool | None:
 
 def _worst(reports: dict[str, CheckReport]) -> dict[str, str]:
     """By checker, the worst status over the scenarios made."""
-    order = [CheckStatus.PASSED, CheckStatus.NOT_RUN, CheckStatus.FAILED]
-    worst: dict[str, CheckStatus] = {}
+    found: dict[str, list[CheckStatus]] = defaultdict(list)
     for report in reports.values():
         for result in report.results:
-            known = worst.get(result.checker, CheckStatus.PASSED)
-            worst[result.checker] = max(known, result.status, key=order.index)
-    return {checker: status.value for checker, status in worst.items()}
+            found[result.checker].append(result.status)
+    return {checker: worst(statuses).value for checker, statuses in found.items()}

@@ -32,7 +32,7 @@ from scegen.campaign.store import Store, StoreError
 from scegen.checking import esmini as player
 from scegen.checking import opendrive, openscenario, said, schema
 from scegen.checking.check import check_subjects
-from scegen.checking.results import CheckReport, CheckStatus
+from scegen.checking.results import CheckResult, worst
 from scegen.checking.subject import PROOF_FILE, subject_of
 from scegen.errors import ScegenError
 from scegen.measures import warm_kernels
@@ -149,20 +149,16 @@ def make_item(store: Store, campaign: Campaign, item: Item) -> Row:
         )
         row["ranges"] = {p.name: [p.low, p.high] for p in logical.parameters}
         row |= _made(store, campaign, item, functional, logical, clock)
-        row["status"] = MADE
+        return row | {"status": MADE} | clock.columns()
     except StoreError:
         raise
     except ScegenError as error:
-        row |= {"status": FAILED, "stage": clock.stage, "reason": error.render()}
+        reason = error.render()
     except Exception as error:  # noqa: BLE001 - one scenario must not end the campaign
         place = extract_tb(error.__traceback__)[-1]
         told = f"{type(error).__name__}: {error} ({Path(place.filename).name}, {place.lineno})"
-        row |= {
-            "status": FAILED,
-            "stage": clock.stage,
-            "reason": f"an error of the program: {told}",
-        }
-    return row | clock.columns()
+        reason = f"an error of the program: {told}"
+    return row | {"status": FAILED, "stage": clock.stage, "reason": reason} | clock.columns()
 
 
 @lru_cache(maxsize=64)
@@ -207,34 +203,26 @@ def _checked(
     clock: Clock,
 ) -> Row:
     """Our own checks of the files, and of a share of them what the player plays."""
-    checks: dict[str, str] = {}
-    findings: list[str] = []
-
-    def note(report: CheckReport) -> None:
-        for result in report.results:
-            checks[result.checker] = str(result.status)
-            findings.extend(
-                f"{result.checker}: {f.place}: {f.message} [{f.rule}]" for f in result.errors
-            )
-
+    results: list[CheckResult] = []
     if campaign.check:
         with clock.step("check"):
             subject = subject_of(Path(item.key), files, concrete, functional, proof)
-            note(check_subjects([subject], OWN_CHECKERS)[0])
+            results += check_subjects([subject], OWN_CHECKERS)[0].results
     confirmed = None
     if int(item.key[-_SHARE_DIGITS:], 16) < campaign.confirm * 16**_SHARE_DIGITS:
         with clock.step("confirm"), tempfile.TemporaryDirectory(prefix="scegen-") as place:
             for name, content in files.items():
                 Path(place, name).write_bytes(content)
             subject = subject_of(Path(place), files, concrete, functional, proof)
-            played = check_subjects([subject], PLAYED_CHECKERS)[0]
-            note(played)
-            confirmed = _worst(played)
-    return {"checks": checks, "check_findings": findings, "confirmed": confirmed}
-
-
-def _worst(report: CheckReport) -> str:
-    """Failed if one failed, not run if one did not run, else passed."""
-    found = {result.status for result in report.results}
-    order = (CheckStatus.FAILED, CheckStatus.NOT_RUN)
-    return str(next((status for status in order if status in found), CheckStatus.PASSED))
+            played = check_subjects([subject], PLAYED_CHECKERS)[0].results
+            results += played
+            confirmed = str(worst(result.status for result in played))
+    return {
+        "checks": {result.checker: str(result.status) for result in results},
+        "check_findings": [
+            f"{result.checker}: {f.place}: {f.message} [{f.rule}]"
+            for result in results
+            for f in result.errors
+        ],
+        "confirmed": confirmed,
+    }

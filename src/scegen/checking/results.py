@@ -89,6 +89,12 @@ class CheckResult:
         }
 
 
+def worst(statuses: Iterable[CheckStatus]) -> CheckStatus:
+    """Failed if one failed, not run if one did not run, else passed."""
+    order = (CheckStatus.PASSED, CheckStatus.NOT_RUN, CheckStatus.FAILED)
+    return max(statuses, key=order.index, default=CheckStatus.PASSED)
+
+
 def verdict(checker: str, findings: Iterable[Finding], detail: str = "") -> CheckResult:
     """A result that failed if one finding is an error, and passed if everything was looked at."""
     listed = tuple(findings)
