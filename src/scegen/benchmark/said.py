@@ -19,7 +19,7 @@ from scegen.benchmark.understand import Record, Understand, about_the_text, offl
 from scegen.checking.recording import Player, record
 from scegen.checking.subject import CONCRETE_FILE, SCENARIO_FILE
 from scegen.errors import InputError, ScegenError
-from scegen.pipeline.generate import Result, generate
+from scegen.pipeline.generate import generate
 from scegen.pipeline.options import CheckDepth, Options
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import load, read_text
@@ -152,9 +152,8 @@ def _row(item: Record, judge: Judge, understand: Understand, seed: int, folder: 
             raise
         return Row(item, problem=error.render())
     try:
-        options = Options(seed=seed, depth=CheckDepth.NONE)
-        made = generate(functional, folder / "made", options)
-        scenario = _first(made) / SCENARIO_FILE
+        made = generate(functional, folder / "made", Options(seed=seed, depth=CheckDepth.NONE))
+        scenario = made.folder / "scenarios" / next(iter(made.checks)) / SCENARIO_FILE
         concrete = load(scenario.with_name(CONCRETE_FILE), ConcreteScenario)
         recorded = record(scenario, concrete)
         played = folder / "played.csv"
@@ -180,10 +179,6 @@ def _judged(judge: Judge, facts: dict[str, Any], played: Path) -> tuple[Fact, ..
         raise InputError(
             message, where="the judge", hint="mend it, or leave the fact out"
         ) from None
-
-
-def _first(made: Result) -> Path:
-    return made.folder / "scenarios" / next(iter(made.checks))
 
 
 def tally(rows: Iterable[Row]) -> dict[str, tuple[int, int]]:

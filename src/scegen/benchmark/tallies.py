@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, astuple, dataclass
 from typing import Any
 
 from scegen.scenario.functional import FunctionalScenario
@@ -47,12 +47,7 @@ class Tally:
 
 def total(tallies: Mapping[str, Tally]) -> Tally:
     """All tallies added up."""
-    added = Tally()
-    for tally in tallies.values():
-        added.right += tally.right
-        added.wrong += tally.wrong
-        added.missed += tally.missed
-    return added
+    return Tally(*map(sum, zip(*map(astuple, tallies.values()), strict=True)))
 
 
 def table(tallies: Mapping[str, Tally]) -> dict[str, dict[str, float]]:

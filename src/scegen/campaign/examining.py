@@ -62,14 +62,12 @@ def _plans(store: Store, plans: Sequence[str], found: Examined) -> None:
     existing = store.plans()
     for key in plans:
         path = existing.get(key)
-        if path is None:
-            found.plans_whole = False
+        if path is not None and sound(path):
+            found.planned.update(column(path, "key"))
             continue
-        if not sound(path):
+        found.plans_whole = False
+        if path is not None:
             found.bad[path] = "is not what was written: the plan is made again"
-            found.plans_whole = False
-            continue
-        found.planned.update(column(path, "key"))
 
 
 def _functionals(store: Store, plans: Sequence[str], found: Examined) -> set[str]:

@@ -18,7 +18,6 @@ from scegen.scenario.model import Interval
 from scegen.units import SPEED_UNITS_MPS
 
 _UNITS = {"_kph": ("_mps", SPEED_UNITS_MPS["km/h"]), "_mph": ("_mps", SPEED_UNITS_MPS["mph"])}
-_SPEED = ".speed_mps"
 _EGO = "ego."
 
 
@@ -57,7 +56,7 @@ def spread(
     if count == 1:
         return functional, logical
     rng = np.random.Generator(np.random.PCG64(seed))
-    arms = {f"{drive.participant}{_SPEED}": drive.entry for drive in logical.drives}
+    arms = {f"{drive.participant}.speed_mps": drive.entry for drive in logical.drives}
     parts: dict[tuple[int | str, float, float], int] = {}
     kept = []
     for parameter in logical.parameters:

@@ -129,20 +129,20 @@ def _at_point(
 ) -> tuple[list[dict[str, Any]], dict[str, int]]:
     """The items of one point of the sweep, and what the scenarios not picked would show."""
     functional = at_point(functional, point)
+    rules = campaign.rules
     logical = enumerate_scenarios(
         functional,
         reduction=campaign.reduction,
         arms=campaign.arms,
         limit=LIST_LIMIT,
         where=campaign.where,
-        rules=_rules(campaign),
+        rules=None if rules is None else RuleFile(read_text(Path(rules)), rules),
     )
     if not logical.scenarios:
         raise NoScenarioError("no scenario is as asked for", where=f"where {campaign.where}")
     picked = pick(logical, campaign.pick)
     picked = picked if campaign.pick else picked[: campaign.count]
-    told = to_json(functional)
-    name = store.put(told.encode(), "json")
+    name = store.put(to_json(functional).encode(), "json")
     store.settle([name])
     rows = []
     for scenario in picked:
@@ -165,12 +165,6 @@ def _at_point(
                 }
             )
     return rows, _left_out(logical, picked)
-
-
-def _rules(campaign: Campaign) -> RuleFile | None:
-    """The rules that every scenario keeps."""
-    path = campaign.rules
-    return None if path is None else RuleFile(read_text(Path(path)), path)
 
 
 def _key(campaign: Campaign, *parts: object) -> str:

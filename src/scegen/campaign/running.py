@@ -9,8 +9,6 @@ from pathlib import Path
 from time import perf_counter
 from typing import Protocol
 
-import pyarrow.parquet as pq
-
 from scegen.campaign.claiming import Finished, alone, claim, keep_manifest
 from scegen.campaign.engines import WorkerLostError, Workforce
 from scegen.campaign.examining import Examined, examine
@@ -66,8 +64,7 @@ def run_campaign(campaign: Campaign, folder: Path, workforce: Workforce, watch: 
                 where=str(folder),
                 hint="the same command goes on",
             )
-        counted = write_table(store)
-        finished = Finished(counted, fresh, perf_counter() - begin, digest_of(found))
+        finished = Finished(write_table(store), fresh, perf_counter() - begin, digest_of(found))
         keep_manifest(store, campaign, keys, finished)
     return finished
 
@@ -147,14 +144,9 @@ def _make(
             if losses >= _ROUNDS:
                 _give_up(store, works_of(store, keys, found.missing))
                 losses = 0
-        found = examine_done(store, found)
+        keys_done = {key for path in store.batches() for key in column(path, "key")}
+        found = Examined(done=keys_done, planned=found.planned)
     return len(found.done) - before
-
-
-def examine_done(store: Store, found: Examined) -> Examined:
-    """The keys of all batches, as they are now."""
-    done = {key for path in store.batches() for key in column(path, "key")}
-    return Examined(done=done, planned=found.planned)
 
 
 def _give_up(store: Store, works: list[Work]) -> None:
@@ -168,7 +160,6 @@ def _give_up(store: Store, works: list[Work]) -> None:
 class Work:
     """A planned item: where it stands, and about how long it takes."""
 
-    key: str
     plan: Path
     number: int
     cost_s: float
@@ -180,12 +171,10 @@ def works_of(store: Store, keys: list[str], missing: set[str]) -> list[Work]:
     for key, path in store.plans().items():
         if key not in keys:
             continue
-        table = pq.read_table(path, columns=["key", "cost"])
-        for number, (item, cost) in enumerate(
-            zip(table.column("key").to_pylist(), table.column("cost").to_pylist(), strict=True)
-        ):
+        costs = zip(column(path, "key"), column(path, "cost"), strict=True)
+        for number, (item, cost) in enumerate(costs):
             if item in missing:
-                works.append(Work(item, path, number, cost))
+                works.append(Work(path, number, cost))
     return works
 
 

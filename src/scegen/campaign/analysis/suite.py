@@ -54,8 +54,7 @@ def suite_of(rows: Sequence[Row], covered: Coverage, size: int) -> Suite:
         raise InputError("there is no scenario in which all that is said holds")
     # Of those that cover alike, the most critical one.
     usable.sort(key=lambda row: (-danger[row], row))
-    sets = [covered.held[row] for row in usable]
-    cover, proved = smallest(sets)
+    cover, proved = smallest([covered.held[row] for row in usable])
     needed = in_order([usable[place] for place in cover], covered)
     chosen = needed[:size]
     told, seen = [], set[str]()

@@ -167,8 +167,7 @@ def _charts(rows: Sequence[Row]) -> list[str]:
     for row in made:
         missing = {hazard.partition("(")[0] for hazard in row["hazards_missing"] or ()}
         for kind in {hazard.partition("(")[0] for hazard in row["hazards"] or ()}:
-            told = dangers.setdefault(kind.replace("_", " "), [0, 0])
-            told[kind in missing] += 1
+            dangers.setdefault(kind.replace("_", " "), [0, 0])[kind in missing] += 1
     return [
         bars("A careful driver could have avoided it", by_junction, verdicts),
         bars("Conflict and rule of the pair", {n: [c] for n, c in conflicts.most_common(16)}, ()),
