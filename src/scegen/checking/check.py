@@ -170,5 +170,4 @@ def _prepare(subject: Subject, checkers: Collection[str]) -> tuple[asam.Job, lis
     if played != scenario.content:
         note = "scenario.xosc is not what concrete.yaml gives, so no 1.2 twin speaks for it"
         return job._replace(scenario_note=note), results
-    note = "on the 1.2 twin"
-    return job._replace(scenario=twin, scenario_note=note), results
+    return job._replace(scenario=twin, scenario_note="on the 1.2 twin"), results

@@ -255,8 +255,7 @@ def _touching(predicted: Prediction, played: dict[frozenset[str], float]) -> Ite
                 message = f"do not touch in esmini; predicted at {ours:.2f} s"
                 yield error("replay.contact", place, message)
         elif _steps_apart(ours, theirs) > EVENT_STEPS:
-            message = f"touch at {theirs:.2f} s, predicted {ours:.2f} s"
-            yield error("replay.contact", place, message)
+            yield error("replay.contact", place, f"touch at {theirs:.2f} s, predicted {ours:.2f} s")
 
 
 def _steps_apart(one_s: float, two_s: float) -> int:

@@ -78,11 +78,10 @@ def _lay(job: Job, place: Path) -> list[str]:
         path.write_bytes(job.road)
         if job.check_road:
             lines.append(f"opendrive\t{path}\t{place / OPENDRIVE}.xqar")
-    later = _as_next_version(job.road) if job.road is not None and job.check_road else None
-    if later is not None:
-        path = place / "later.xodr"
-        path.write_bytes(later)
-        lines.append(f"opendrive\t{path}\t{place / 'later'}.xqar")
+            if later := _as_next_version(job.road):
+                path = place / "later.xodr"
+                path.write_bytes(later)
+                lines.append(f"opendrive\t{path}\t{place / 'later'}.xqar")
     if job.scenario is not None:
         path = place / "scenario.xosc"
         path.write_bytes(job.scenario)

@@ -45,8 +45,7 @@ def simulated_csv(concrete: ConcreteScenario) -> str:
     entities: list[ConcreteParticipant | StaticObject] = [*concrete.ego_first, *concrete.objects]
     header = [f"#{n} {name}" for n in range(1, len(entities) + 1) for name in _COLUMNS]
     lines = [", ".join(["Index [-]", "TimeStamp [s]", *header])]
-    steps = round(concrete.duration_s / STEP_S) + 1
-    for step in range(steps):
+    for step in range(round(concrete.duration_s / STEP_S) + 1):
         cells = [f"{step}", f"{step * STEP_S:.6f}"]
         for number, entity in enumerate(entities):
             if entity.id in traces:

@@ -40,8 +40,7 @@ def check_log(text: str) -> Iterator[Finding]:
     for line in problems[:SHOWN]:
         yield error("esmini.log", _place(line), f"{line['level']}: {line['text']}")
     if len(problems) > SHOWN:
-        message = f"and {len(problems) - SHOWN} more errors and warnings"
-        yield error("esmini.log", "log", message)
+        yield error("esmini.log", "log", f"and {len(problems) - SHOWN} more errors and warnings")
 
 
 def _place(line: re.Match[str]) -> str:

@@ -117,8 +117,7 @@ def _senses(movement: Movement, participant: ConcreteParticipant) -> Iterator[Fi
         yield error("esmini.reversing", movement.when(step + 1), message)
     elif reversal is not None and not (sense < 0.0).any():
         yield error("esmini.reversing", participant.id, "should reverse but does not")
-    steps = np.flatnonzero(sense)
-    for before, after in pairwise(steps.tolist()):
+    for before, after in pairwise(np.flatnonzero(sense).tolist()):
         fastest = max(movement.speed_mps[before + 1], movement.speed_mps[after + 1])
         if sense[before] != sense[after] and fastest > TURNS_MPS:
             message = f"changes direction at {fastest:.1f} m/s without coming to rest"
@@ -159,8 +158,7 @@ def _way(
     elif isinstance(motion, StandingMotion):
         away = float(np.abs(movement.point - movement.point[0]).max())
         if away > JUMP_M:
-            message = f"should stand but moves {away:.2f} m"
-            yield error("esmini.standing", participant.id, message)
+            yield error("esmini.standing", participant.id, f"should stand but moves {away:.2f} m")
 
 
 def _on_the_road(
@@ -172,8 +170,7 @@ def _on_the_road(
     if walks or (isinstance(motion, DriveMotion) and isinstance(motion.reversal, BacksOut)):
         return
     for step, rule in ((0, "esmini.entry"), (-1, "esmini.exit_arm")):
-        under = lanes_at(network, movement.point[[step]])[0]
-        if not under:
+        if not lanes_at(network, movement.point[[step]])[0]:
             point = movement.point[step]
             message = f"is at ({point.real:.1f}, {point.imag:.1f}), off every lane of the road"
             yield error(rule, participant.id, message)

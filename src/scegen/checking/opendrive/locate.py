@@ -101,8 +101,7 @@ def _strips(network: Network) -> list[_Strip]:
 
 
 def _along(geometry: Geometry, points: Points) -> tuple[Numbers, Numbers]:
-    turned = np.exp(-1j * geometry.hdg)
-    local = (points - complex(geometry.x, geometry.y)) * turned
+    local = (points - complex(geometry.x, geometry.y)) * np.exp(-1j * geometry.hdg)
     if not isinstance(geometry.curve, Arc):
         return _along_chords(geometry, local)
     k = geometry.curve.bend

@@ -132,8 +132,7 @@ def _drives(
     for entry, leave in sorted(wanted | turning):
         if entry not in arms or leave not in arms:
             continue
-        starts = [outer_node(arms[entry], lane) for lane in arms[entry].inward]
-        reached = reach(graph, starts)
+        reached = reach(graph, [outer_node(arms[entry], lane) for lane in arms[entry].inward])
         if not any(outer_node(arms[leave], lane) in reached for lane in arms[leave].outward):
             message = f"no way leads from arm {entry} to arm {leave}, as the scenario needs"
             yield error("xodr.drive", f"arm {entry}", message)

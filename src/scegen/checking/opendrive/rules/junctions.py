@@ -77,8 +77,7 @@ def _roads(
     if not (to_junction if junction.direct else to_road):
         goes_on = f"junction {junction.id}" if junction.direct else f"road {incoming.id} {contact}"
         said = f"is linked to {link or 'nothing'} instead of {goes_on}"
-        message = f"road {connecting.id} {connection.contact} {said}"
-        yield error(RULE, place, message)
+        yield error(RULE, place, f"road {connecting.id} {connection.contact} {said}")
     if not connection.lanes:
         yield error(RULE, place, "links no lanes")
     for lane_from, lane_to in connection.lanes:
@@ -102,8 +101,7 @@ def _lanes(start: LaneEnd, goal: LaneEnd, place: str, *, linked: bool) -> Iterat
     for road, contact, number in (start, goal):
         lane = road.section(contact).lanes.get(number)
         if lane is None or number == 0:
-            message = f"links {lane_place(road.id, number)}, which does not exist"
-            yield error(RULE, place, message)
+            yield error(RULE, place, f"links {lane_place(road.id, number)}, which does not exist")
             return
     (incoming, in_contact, lane_from), (connecting, contact, lane_to) = start, goal
     driven = incoming.section(in_contact).lanes[lane_from].type == "driving"

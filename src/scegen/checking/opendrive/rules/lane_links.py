@@ -39,11 +39,9 @@ def _lane(
         return
     there = lane_place(other.id, number)
     if _use(target) != _use(lane):
-        message = f"of type {lane.type} is linked to {there} of type {target.type}"
-        yield error(RULE, place, message)
+        yield error(RULE, place, f"of type {lane.type} is linked to {there} of type {target.type}")
     if road.leads_to(lane.id, contact) == other.leads_to(number, other_contact):
-        message = f"is linked to {there}, on which traffic runs the other way"
-        yield error(RULE, place, message)
+        yield error(RULE, place, f"is linked to {there}, on which traffic runs the other way")
     # The incoming road of a junction has no lane links at that end: its connections have them.
     if road.junction is None and target.link(other_contact) != lane.id:
         back = target.link(other_contact)

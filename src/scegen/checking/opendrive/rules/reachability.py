@@ -45,5 +45,4 @@ def check_reachability(network: Network) -> Iterator[Finding]:
         if arm.inward and not arm.outward and not any(k != i for k, _ in lanes):
             yield error(RULE, arm.place, "no way leads to any other arm")
     for i, lane in sorted(set(leaving) - reached_lanes):
-        place = lane_place(arms[i].road.id, lane)
-        yield error(RULE, place, "is not reached from any other arm")
+        yield error(RULE, lane_place(arms[i].road.id, lane), "is not reached from any other arm")

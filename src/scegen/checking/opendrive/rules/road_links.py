@@ -48,8 +48,7 @@ def _holds(network: Network, road: Road, contact: str, link: Link) -> Iterator[F
         back = replace(back, contact=None)  # a junction has no ends
     if back != expected:
         said = f"is linked to {other.link(link.contact) or 'nothing'} instead of {expected}"
-        message = f"is linked to road {other.id} {link.contact}, which {said}"
-        yield error(RULE, place, message)
+        yield error(RULE, place, f"is linked to road {other.id} {link.contact}, which {said}")
 
 
 def _joined(network: Network, road: Road, junction: str) -> bool:
