@@ -50,6 +50,12 @@ SENTENCES = [
     "at 80 km/h in the middle and in the right lane of three at first.",
     "The ego drives at 60 km/h. A van passes it on the left at 130 km/h and cuts back in 8 m in "
     "front of it.",
+    "The truck ahead swerves to the right.",
+    "The ego drives at 70 km/h; the car 30 m ahead of it drives at 60 km/h and brakes at a headway "
+    "of 1.2 s.",
+    "The ego drives at 60 km/h and overtakes a stationary truck at a TTC of 3 s.",
+    "The ego drives at 80 km/h behind a truck at 60 km/h and overtakes it, starting 20 m behind.",
+    "The ego drives at 30 km/h. A child runs out from behind a parked van 20 m ahead.",
 ]
 
 

@@ -1,0 +1,52 @@
+"""A law: what one short sentence says of one or two is made, and all of it holds.
+
+Who is where is crossed with what is done; the rest are sentences of one construction each.
+"""
+
+import pytest
+
+from scegen.enumeration import enumerate_scenarios
+from scegen.pipeline.attempts import make_some
+from scegen.pipeline.options import Options
+from scegen.pipeline.picking import pick
+from scegen.pipeline.raising import chosen_target
+from scegen.understanding import read
+
+WHO = ("The car ahead", "A van in the lane to the right of the ego", "A motorcycle beside the ego")
+DOES = ("swerves to the left", "swerves to the right", "changes lanes to the left", "cuts in",
+        "drifts to the right", "loses control")  # fmt: skip
+SENTENCES = (
+    "The ego turns left at a crossroads with a stop sign.",
+    "The ego drives at 50 km/h and a car hits it from behind.",
+    "The ego stops for a pedestrian and is rear-ended.",
+    "The ego is overtaken on the left while the car ahead brakes.",
+    "The car ahead overtakes a truck.",
+    "An oncoming car changes lanes to the right.",
+    "A crate lies on the right edge of the road.",
+    "The ego passes a parked van at a lateral distance of 1 m.",
+    "The lead car swerves around a broken-down lorry 30 m ahead of the ego.",
+    "A pedestrian runs at 10 km/h from behind a parked van 25 m ahead; the ego drives at 40 km/h.",
+    "A car from the left runs a red light and it is hit by the ego's left front corner.",
+    "Head-on: ego 50 km/h, car 50 km/h, 50 % overlap.",
+)
+
+
+def made(text):
+    functional = read(text)
+    assert not functional.unsupported
+    target, options = chosen_target(None, functional), Options()
+    listed = pick(enumerate_scenarios(functional, limit=50), None)
+    ((_, proof),) = make_some(functional, listed, target, options, lambda _: None).proofs.items()
+    return proof
+
+
+@pytest.mark.parametrize("text", [f"{who} {does}." for who in WHO for does in DOES])
+def test_where_somebody_is_and_what_it_does_hold_together(text):
+    assert not made(text).missed
+
+
+@pytest.mark.parametrize("text", SENTENCES)
+def test_one_sentence_is_made_as_it_is_said(text):
+    proof = made(text)
+    assert not proof.missed
+    assert proof.in_band
