@@ -94,7 +94,9 @@ def _tested(
     mention: Mention, chunks: list[Chunk], unlike: list[NounPhrase], roster: Roster
 ) -> Mention | None:
     """``is hit at 25 % of the vehicle's width; VUT at 40 km/h``: nobody else is there but that."""
-    bare = mention.noun == "car" and mention.opened_by("def") and mention.j - mention.i == _BARE
+    generic = word_list("generic_words") - word_list("targets")
+    bare = mention.j - mention.i == _BARE and mention.opened_by("def") and not mention.pps
+    bare = bare and roster.tokens[mention.j - 1].base in generic
     told = [m.entities for m in unlike if isinstance(m, Mention)]
     others = [e for e in roster.entities if e.is_vehicle and [e] not in told]
     if not bare or others or roster.draft.ego or not (mention.prep or mention.possessor):
