@@ -26,6 +26,7 @@ SENTENCES = (
     "The ego passes a parked van at a lateral distance of 1 m.",
     "The lead car swerves around a broken-down lorry 30 m ahead of the ego.",
     "A pedestrian runs at 10 km/h from behind a parked van 25 m ahead; the ego drives at 40 km/h.",
+    "A van drives 20 m behind a truck ahead of the ego and a child runs across the road.",
     "A car from the left runs a red light and it is hit by the ego's left front corner.",
     "Head-on: ego 50 km/h, car 50 km/h, 50 % overlap.",
 )

@@ -155,10 +155,11 @@ def _spacing(story: Story, walk: Walk, other: str) -> _Told | None:
             return _Told(act.when.measure, _to_its_line(story, act.when), act)
     own = {a.id: a for a in (walk.act, walk.stop) if a is not None}
     for said in story.functional.spacings:
-        (who,) = {said.participant, said.reference} - {other} or {other}
-        along = other in {said.participant, said.reference} and said.measure in LENGTHWISE
-        its = who == walk.id and said.since == "begin"
-        if along and (its or (said.at in own and who in {walk.id, *story.parked})):
+        pair = {said.participant, said.reference}
+        its = pair == {walk.id, other} and said.since == "begin"
+        line = {walk.id, *story.parked}
+        then = said.at in own and other in pair and not pair.isdisjoint(line)
+        if said.measure in LENGTHWISE and (its or then):
             at_s, away = story.begins_s.get(said.at, 0.0), _to_its_line(story, said)
             return _Told(said.measure, away, own.get(said.at), said.since, at_s)
     return None
