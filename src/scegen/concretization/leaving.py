@@ -220,18 +220,20 @@ def shape_maneuvers(scene: Setup) -> list[Meeting]:
 def _pass(
     scene: Setup, passer: DriveDraft, passed: DriveDraft, *, comes_back: bool
 ) -> list[Meeting]:
-    """``passer`` overtakes ``passed`` on their entry arm: that one is slow, rather than it fast.
+    """``passer`` overtakes ``passed`` on their entry arm, which is slower unless its speed is said.
 
     Returns the meeting side by side.
 
     Raises:
         NeedsLongerArms: the arm is too short for it.
     """
-    slower = passer.speed_mps / _FASTER
-    if passed.speed_mps > slower:
-        before = passed.speed_mps
-        scene.note(f"{passed.id}.speed_mps", slower, f"is overtaken by {passer.id}", before)
-        passed.speed_mps = slower
+    if passer.speed_mps < passed.speed_mps * _FASTER:
+        told, too = scene.has_said_speed(passer.id), scene.has_said_speed(passed.id)
+        if too and not told:
+            faster = min(passed.speed_mps * _FASTER, passer.body.top_speed_mps)
+            _goes_at(scene, passer, faster, f"overtakes {passed.id}")
+        elif not too or passer.speed_mps <= passed.speed_mps:
+            _goes_at(scene, passed, passer.speed_mps / _FASTER, f"is overtaken by {passer.id}")
     strays = HazardKind.ONCOMING_LANE in scene.kinds_by(passer.id)
     if strays:
         passed.take_lane(scene.network, min(scene.entry_lanes(passed)))
@@ -250,6 +252,11 @@ def _pass(
     move_aside(scene, passer, aside, ends_m=over, over_m=change, stays_m=stays)
     level = middle + passer.body.centre_ahead_m - passed.body.centre_ahead_m
     return [Meeting(STRUCTURAL, passed.id, passer.id, level, middle, 0.0, "side by side")]
+
+
+def _goes_at(scene: Setup, draft: DriveDraft, speed_mps: float, reason: str) -> None:
+    scene.note(f"{draft.id}.speed_mps", speed_mps, reason, draft.speed_mps)
+    draft.speed_mps = speed_mps
 
 
 def _free_change(scene: Setup, draft: DriveDraft) -> list[Meeting]:

@@ -101,8 +101,7 @@ def _from_words(scene: Setup) -> Iterator[Wish]:
         level = draft is scene.ego or draft.drive.entry != scene.ego.drive.entry
         if diagonal and not level and not draft.drive.beside:
             yield from _beside(scene, name, scene.ego.id)
-        turns_back = Maneuver.U_TURN in {draft.drive.turn, scene.ego.drive.turn}
-        if turns_back and not level and said and said <= {Approach.AHEAD, Approach.BEHIND}:
+        if not level and said and said <= {Approach.AHEAD, Approach.BEHIND}:
             pair, same = (name, scene.ego.id), _steps(lambda out: out == 0)
             yield Wish(pair, SAID, same, f"{name} is in the lane of {scene.ego.id}")
     yield from _from_dangers(scene)
