@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import takewhile
+from math import inf
 
 from scegen.concretization.amounts import change_of_speed, falls_back, goes_on_when_free
 from scegen.concretization.drafts import DriveDraft
@@ -98,8 +99,18 @@ def stand_in_line(scene: Setup) -> None:
                 comes_to = draft.laid.path_s_m(back.from_m - back.length_m) - behind
                 touches = scene.contact_wanted(other.id, draft.id)
                 place = comes_to + _QUEUE_GAP_M + (_INTO_M if touches else -_INTO_M)
+        place = min([place, *_before_slowing_m(scene, draft)])
         begins = place - draft.speed_mps**2 / (2 * _STANDS_MPS2)
         draft.steps = [SpeedChange(0.0, _STANDS_MPS2, s_m=begins, sort=Sort.ACT)]
+
+
+def _before_slowing_m(scene: Setup, draft: DriveDraft) -> Iterator[float]:
+    """Where it stands for those who drive into it at the speed that is said, not at that of a bend."""
+    for other in scene.drives.values():
+        into = draft in ahead_on_arm(scene, other) and scene.contact_wanted(other.id, draft.id)
+        if into and scene.has_said_speed(other.id):
+            slows = (mark.s_m for mark in other.road_changes() if mark.sort is Sort.SLOWS)
+            yield min(slows, default=inf) + other.body.front_m + draft.body.rear_m - _INTO_M
 
 
 def lead_in_missing_s(scene: Setup) -> float:
