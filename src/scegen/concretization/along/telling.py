@@ -31,7 +31,7 @@ from scegen.scenario.logical import (
 from scegen.scenario.model import Interval
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.roadway import AuxiliaryLane
-from scegen.scenario.spacings import START, Measure, Spacing
+from scegen.scenario.spacings import LENGTHWISE, START, Measure, Spacing
 from scegen.scenario.vocabulary import ON_FOOT, HazardKind, Maneuver, ParticipantKind, Side
 
 _STANDS_MPS = 1.0
@@ -113,25 +113,30 @@ def _speeds(story: Story) -> None:
 def _closing(functional: FunctionalScenario) -> Iterator[tuple[str, str]]:
     """Who is said to be so many seconds from a collision with whom, unless that one slows first.
 
-    So it is with who touches another ahead of it that is said to be so fast.
+    So it is with who touches, or nearly, another ahead of it that is said to be so fast, or that
+    comes into its lane so far ahead.
     """
     slowing: set[str] = set()
+    comes_in: set[tuple[str, str]] = set()
     for at, act in ((START, None), *((a.id, a) for a in functional.acts)):
         told: list[Spacing | WhenMeasure] = [s for s in functional.spacings if s.at == at]
         told += [act.when] if act is not None and isinstance(act.when, WhenMeasure) else []
-        for each in (t for t in told if t.measure is Measure.TTC_S):
+        for each in (t for t in told if t.measure in LENGTHWISE):
             pair = each.participant, each.reference
             ahead = is_said_ahead(functional, functional.hazards, *pair, at)
             back, front = pair[::-1] if ahead else pair
-            if front not in slowing:
+            if each.measure is Measure.TTC_S and front not in slowing:
                 yield back, front
+            if act is not None and act.kind is ActKind.CHANGE_LANE:
+                comes_in.add((back, front))
         if act is not None and act.kind in SLOWING:
             slowing.add(act.participant)
     outcome = functional.outcome
-    touch = outcome.between if outcome and outcome.kind is OutcomeKind.COLLISION else ()
-    for back, front in permutations(touch, 2):
-        steady = front not in slowing and functional.participant(front).speed_mps is not None
-        if steady and is_ahead_at_first(functional, front, back):
+    near = outcome.between if outcome and outcome.kind is not OutcomeKind.AVOIDED else ()
+    for back, front in permutations(near, 2):
+        steady = functional.participant(front).speed_mps is not None
+        ahead = steady and is_ahead_at_first(functional, front, back)
+        if front not in slowing and (ahead or (back, front) in comes_in):
             yield back, front
 
 
