@@ -1,6 +1,7 @@
 """A law: what one short sentence says of one or two is made, and all of it holds.
 
-Who is where is crossed with what is done; the rest are sentences of one construction each.
+Who is where is crossed with what is done, numbers with how it ends; the rest are sentences of one
+construction each.
 """
 
 import pytest
@@ -15,6 +16,10 @@ from scegen.understanding import read
 WHO = ("The car ahead", "A van in the lane to the right of the ego", "A motorcycle beside the ego")
 DOES = ("swerves to the left", "swerves to the right", "changes lanes to the left", "cuts in",
         "drifts to the right", "loses control")  # fmt: skip
+COMES = ("A car cuts in 20 m in front of the ego", "A van cuts in with a time gap of 0.8 s",
+         "A car cuts in at a TTC of 3 s", "The car 8 m ahead brakes hard")  # fmt: skip
+ENDS = ("and the ego, at 60 km/h, hits it", "and the ego, at 60 km/h, nearly hits it",
+        "and the ego, at 60 km/h, avoids a collision")  # fmt: skip
 SENTENCES = (
     "The ego turns left at a crossroads with a stop sign.",
     "The ego drives at 50 km/h and a car hits it from behind.",
@@ -28,6 +33,9 @@ SENTENCES = (
     "A pedestrian runs at 10 km/h from behind a parked van 25 m ahead; the ego drives at 40 km/h.",
     "A van drives 20 m behind a truck ahead of the ego and a child runs across the road.",
     "A car from the left runs a red light and it is hit by the ego's left front corner.",
+    "The ego drives at 50 km/h and turns left at a crossroads, where it hits a standing car.",
+    "The ego, at 50 km/h, approaches a stationary truck and brakes at a TTC of 3 s but hits it.",
+    "A car at 90 km/h behind the ego, at 60 km/h, brakes 20 m behind it and hits it.",
     "Head-on: ego 50 km/h, car 50 km/h, 50 % overlap.",
 )
 
@@ -44,6 +52,13 @@ def made(text):
 @pytest.mark.parametrize("text", [f"{who} {does}." for who in WHO for does in DOES])
 def test_where_somebody_is_and_what_it_does_hold_together(text):
     assert not made(text).missed
+
+
+@pytest.mark.parametrize("text", [f"{comes} {ends}." for comes in COMES for ends in ENDS])
+def test_how_far_it_is_and_how_it_ends_hold_together(text):
+    proof = made(text)
+    assert not proof.missed
+    assert proof.in_band
 
 
 @pytest.mark.parametrize("text", SENTENCES)

@@ -16,12 +16,17 @@ from scegen.concretization.amounts import (
     goes_on_when_free,
     hardest_mps2,
 )
-from scegen.concretization.limits import COMFORTABLE_ACCELERATION_MPS2, REACTION_S
+from scegen.concretization.limits import (
+    COMFORTABLE_ACCELERATION_MPS2,
+    COMFORTABLE_BRAKING_MPS2,
+    REACTION_S,
+)
 from scegen.concretization.profile import Mover, Sort, SpeedChange
 from scegen.concretization.tale import Tale
 from scegen.concretization.traffic import Contact, Traffic, goes_along, leaves_room, unwanted
 from scegen.motion.trigger_steps import STEP_S
-from scegen.scenario.acts import Act
+from scegen.scenario.acts import Act, AfterAct
+from scegen.scenario.hazards import HARD_BRAKING_MPS2
 from scegen.scenario.vocabulary import HazardKind
 
 _AFTER_S = 20.0
@@ -30,6 +35,7 @@ _GOES_ON_S = (1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0)
 _ROUNDS = 12
 _ROUNDING, _SOFTER = 1e-6, 0.8
 _SAME_M = 0.01
+_LEAST_HARD_MPS2 = 1.05 * HARD_BRAKING_MPS2
 
 
 def answer(traffic: Traffic) -> None:
@@ -97,12 +103,28 @@ def brake_for(traffic: Traffic, contact: Contact, loose: SpeedChange | None = No
         found = found or brake_late(leaves, contact.time_s, rates, earliest, brake, exact=exact)
     if found is None:
         who.steps = before
-        return False
+        return _eases(traffic, contact.other)
     if own is not None and own.act is not None:
         traffic.put_off(own.act, found[0] - own.begins_s)
     if waits or (traffic.go_on and (own is None or (said is not None and falls_back(said)))):
         _go_on(traffic, contact, waits)
     return True
+
+
+def _eases(traffic: Traffic, name: str) -> bool:
+    """Let one brake no harder than it must to be a danger, if that is open; whether it does now."""
+    tale, ahead = traffic.tale, traffic.movers.get(name)
+    awaited = {act.when.act for act in tale.acts if isinstance(act.when, AfterAct)}
+    for step in ahead.steps if ahead is not None else ():
+        open_ = step.act is None or tale.act(step.act).rate_mps2 is None
+        least = (
+            _LEAST_HARD_MPS2 if step.hazard is HazardKind.HARD_BRAKING else COMFORTABLE_BRAKING_MPS2
+        )
+        if ahead is not None and open_ and step.rate_mps2 > least and step.act not in awaited:
+            eased = replace(step, rate_mps2=least)
+            ahead.steps = [eased if each is step else each for each in ahead.steps]
+            return True
+    return False
 
 
 def _leaving(

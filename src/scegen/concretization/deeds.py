@@ -105,7 +105,7 @@ def stand_in_line(scene: Setup) -> None:
 
 
 def _before_slowing_m(scene: Setup, draft: DriveDraft) -> Iterator[float]:
-    """Where it stands for those who drive into it at the speed that is said, not at that of a bend."""
+    """Where it stands for those who drive into it as fast as is said, not as a bend lets them."""
     for other in scene.drives.values():
         into = draft in ahead_on_arm(scene, other) and scene.contact_wanted(other.id, draft.id)
         if into and scene.has_said_speed(other.id):

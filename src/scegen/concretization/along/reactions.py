@@ -41,7 +41,7 @@ _TOO_LATE_S = 0.8
 """Who brakes for one it is to hit all the same begins so long before."""
 _BEFORE_CROSSWALK_M = 0.3
 _ROUNDING = 1e-6
-_SOFTEST_MPS2 = 0.5
+_SOFTEST_MPS2, _TOO_SOFT = 0.5, 0.8
 _KEEPS_M = 0.75 * STANDS_BEHIND_M
 """Who follows keeps this free; simulators step, and bends are not as long in every lane."""
 
@@ -107,7 +107,7 @@ def _set_aside_loose(traffic: Traffic, story: Story, who: Runner) -> None:
 
 
 def _brake_as_hard_as_needed(traffic: Traffic, story: Story, who: Runner) -> None:
-    """Of one whose braking begins as is said, but not how hard: to come near what is ahead."""
+    """Of one whose braking begins as is said, but not how hard: near what is ahead, or into it."""
     ends = {a.when.act for a in story.acts if isinstance(a.when, AfterAct)}
     for step in who.steps:
         act = story.act(step.act) if step.act is not None else None
@@ -120,7 +120,7 @@ def _brake_as_hard_as_needed(traffic: Traffic, story: Story, who: Runner) -> Non
         before = who.steps
         contact = _without(traffic, who, step)
         rest, who.steps = who.steps, before
-        if step.hazard or contact is None or story.contact_wanted(*contact[1:]):
+        if step.hazard or contact is None:
             continue
 
         def leaves(rate: float, contact: Contact = contact, step: SpeedChange = step) -> bool:
@@ -128,11 +128,15 @@ def _brake_as_hard_as_needed(traffic: Traffic, story: Story, who: Runner) -> Non
             return leaves_room(traffic, contact, CLOSEST_M)
 
         hardest = hardest_mps2(who.body, story.grip_mps2)
-        if leaves(hardest):
+        if story.contact_wanted(*contact[1:]):
+            if leaves(step.rate_mps2):
+                touches = last_that(lambda rate: not leaves(rate), 0.0, step.rate_mps2)
+                leaves(_TOO_SOFT * touches)
+        elif leaves(hardest):
             leaves(last_that(leaves, hardest, _SOFTEST_MPS2))
-            story.ends_s[act.id] = who.profile.settles_s(step.begins_s)
         else:
             who.steps = before
+        story.ends_s[act.id] = who.profile.settles_s(step.begins_s)
         return
 
 
