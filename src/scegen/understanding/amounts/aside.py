@@ -208,9 +208,13 @@ def _into(doing: Doing, scene: Clause, context: Context) -> None:
 
 
 def _is_there(entity: Entity, phrase: Prep, context: Context) -> bool:
-    """``follows a truck and changes lanes 15 m behind it``: out of its lane, not into it."""
+    """``follows a truck and changes lanes 15 m behind it``: out of its lane, not into it.
+
+    Into that of one whom only this phrase brings in ("in front of a car that is 20 m behind it").
+    """
     ahead = phrase.value == "ahead"
-    for other in (e for e in people([phrase]) if entity.ego is not e.ego):
+    known = (e for e in people([phrase]) if e.basis.i < phrase.word.i or not ahead)
+    for other in (e for e in known if entity.ego is not e.ego):
         front, told = entity if ahead else other, context.draft.placements
         told = [p for p in told if p.basis.i != phrase.word.i and not front.start_lane]
         leads = any(p.entity is front and _led(p, Approach.AHEAD) for p in told)
@@ -233,7 +237,7 @@ def _beside_whom(doing: Doing, other: Entity, phrase: Prep, context: Context) ->
     draft, behind = context.draft, phrase.value == "behind"
     who, seen = (other, Approach.AHEAD) if doing.entity.ego else (doing.entity, Approach.BEHIND)
     told = [p for p in draft.placements if other in (p.entity, p.reference) or who is p.entity]
-    said = [p.approaches for p in told if not behind or p.basis.i != phrase.word.i]
+    said = [p.approaches for p in told if p.basis.i != phrase.word.i]
     if doing.entity.ego and not behind:  # "in front of a van that comes up from behind"
         said = [approaches for approaches in said if approaches != {Approach.BEHIND}]
     if not (doing.entity.ego or (behind and other.ego)) or any(a != _BESIDE for a in said):
