@@ -5,7 +5,7 @@ A move is told from where it is over: just before the drive slows down for its t
 
 from __future__ import annotations
 
-from scegen.concretization.amounts import gripped_s, lasting_s
+from scegen.concretization.amounts import gripped_s
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import (
     CUT_IN_HEADWAY_S,
@@ -15,16 +15,14 @@ from scegen.concretization.limits import (
 from scegen.concretization.meetings import STRUCTURAL, Meeting, nearest_s_m
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.tale import outward
-from scegen.errors import MotionInfeasibleError
-from scegen.scenario.acts import Act
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import MOST_OFFSET_M, LaneChange
 from scegen.scenario.roadway import LANE_WIDTH_M
 from scegen.scenario.spacings import START, Measure
 from scegen.scenario.vocabulary import HazardKind, Maneuver, Side
 
-BEHIND_M, AHEAD_M = 3.0, 6.0
-"""The room that one who overtakes has before it pulls out, and as it comes back."""
+_BEHIND_M = 3.0
+"""The room that one who goes round somebody has before it pulls out."""
 _LEAST_M = 8.0
 _BEFORE_TURNING_M, _BEFORE_JUNCTION_M = 3.0, 5.0
 _LEAST_RUN_UP_M, _SPARE_M = 5.0, 10.0
@@ -32,15 +30,10 @@ _MUCH_FASTER_MPS, _GAP_M = 3.5, 1.5
 _SAME_LINE_M = 2.0
 
 
-def change_length_m(
-    draft: DriveDraft,
-    usual_s: float = LANE_CHANGE_S,
-    act: Act | None = None,
-    width_m: float = LANE_WIDTH_M,
-) -> float:
-    """How long a move to the side is: as quick as is said, else as is usual, if grip allows it."""
-    lasts_s = lasting_s(act, width_m, usual_s, draft.grip_mps2)
-    return max(_LEAST_M, draft.speed_mps * max(lasts_s, gripped_s(width_m, draft.grip_mps2)))
+def change_length_m(draft: DriveDraft, usual_s: float = LANE_CHANGE_S) -> float:
+    """How long a change of lane is: as quick as is usual, if the grip allows it."""
+    lasts_s = max(usual_s, gripped_s(LANE_WIDTH_M, draft.grip_mps2))
+    return max(_LEAST_M, draft.speed_mps * lasts_s)
 
 
 def over_by_m(*drafts: DriveDraft) -> float:
@@ -68,23 +61,6 @@ def keep_aside(scene: Setup) -> None:
             who.offset_m = max(-MOST_OFFSET_M, min(aside_m, MOST_OFFSET_M))
 
 
-def neighbour_lane(scene: Setup, draft: DriveDraft, *, oncoming: bool) -> int:
-    """The lane into which a drive pulls out: towards the centre line, else outwards.
-
-    ``oncoming`` allows (and where there is one lane, chooses) the oncoming lane.
-
-    Raises:
-        MotionInfeasibleError: there is only one lane and the oncoming one is not allowed.
-    """
-    if draft.entry_lane > 1 or oncoming:
-        return draft.entry_lane - 1
-    if scene.lanes_in(draft) > 1:
-        return 2
-    raise MotionInfeasibleError(
-        f"arm {draft.drive.entry} has one lane: there is no lane to change into", where=draft.id
-    )
-
-
 def move_aside(
     scene: Setup,
     draft: DriveDraft,
@@ -94,12 +70,10 @@ def move_aside(
     over_m: float,
     stays_m: float | None = None,
     hazard: HazardKind | None = None,
-    offset_m: float = 0.0,
-) -> float:
+) -> None:
     """Lay a drive anew with a change of lane over ``over_m``, and back again after ``stays_m``.
 
-    All is over at station ``ends_m``. It goes ``offset_m`` left of the middle of that lane. Returns
-    the station at which it is there.
+    All is over at station ``ends_m``.
 
     Raises:
         NeedsLongerArms: the arm is too short for a run-up.
@@ -113,13 +87,11 @@ def move_aside(
             position_m=round(max(0.0, position_m), 3),
             length_m=round(over_m, 3),
             lane_after=after,
-            offset_m=0.0 if n else offset_m,
             hazard=hazard,
         )
-        for n, (position_m, after) in enumerate(moves)
+        for position_m, after in moves
     ]
     draft.lay(scene.network)
-    return moves[0][0] + over_m
 
 
 def close_before(
@@ -155,9 +127,9 @@ def pass_standing(scene: Setup, passer: DriveDraft, middle_m: float, body: Body)
         NeedsLongerArms: there is no room before it.
     """
     change = change_length_m(passer)
-    clear = (passer.body.length_m + body.length_m) / 2 + BEHIND_M
+    clear = (passer.body.length_m + body.length_m) / 2 + _BEHIND_M
     middle = middle_m - passer.body.centre_ahead_m
-    lane = neighbour_lane(scene, passer, oncoming=True)
+    lane = passer.entry_lane - 1  # maybe that of the oncoming
     stays = passer.drive.maneuver is Maneuver.LANE_CHANGE and lane in scene.entry_lanes(passer)
     ends, stays_m = (middle - clear, None) if stays else (middle + clear + change, 2 * clear)
     move_aside(scene, passer, lane, ends_m=ends, over_m=change, stays_m=stays_m)

@@ -9,6 +9,7 @@ import numpy as np
 from scegen.concretization.along.compose import compose_along, tells_along
 from scegen.concretization.along.parked import opens
 from scegen.concretization.answering import answer, note_answers
+from scegen.concretization.arms import lay_on_arms
 from scegen.concretization.aside import keep_aside
 from scegen.concretization.assemble import assemble
 from scegen.concretization.clock import require_arms, schedule
@@ -16,7 +17,6 @@ from scegen.concretization.deeds import do_acts, lead_in_missing_s, stand_in_lin
 from scegen.concretization.drafts import DriveDraft, Wait
 from scegen.concretization.encounters import conflict_meetings, join_traffic
 from scegen.concretization.fitting import conditioned, fit
-from scegen.concretization.leaving import leave_lanes, shape_maneuvers
 from scegen.concretization.lights import STOOD_S, WAITS_S, set_lights
 from scegen.concretization.limits import FAST_LATERAL_MPS2, JITTER, LATERAL_MPS2
 from scegen.concretization.meeting_lanes import choose_junction_lanes
@@ -24,6 +24,7 @@ from scegen.concretization.meetings import Meeting
 from scegen.concretization.moments import traffic_of
 from scegen.concretization.occluders import hide
 from scegen.concretization.reversing import prepare_to_reverse, reverse
+from scegen.concretization.rings import cut_in_in_rings
 from scegen.concretization.roads import LONGEST_ARM_M, first_arm_m, plan
 from scegen.concretization.setup import NeedsLongerArms, Setup, acts_of
 from scegen.concretization.stationary import (
@@ -117,10 +118,9 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
         draft.lay(scene.network)
     join_traffic(scene)
     place_walkers(scene)
-    meetings = [*reverse(scene), *leave_lanes(scene)]
+    meetings = [*reverse(scene), *cut_in_in_rings(scene), *lay_on_arms(scene)]
     go_round_stationary(scene)
     place_obstacles(scene)
-    meetings += shape_maneuvers(scene)
     stand_in_line(scene)
     meetings += pull_out(scene)
     stop_in_the_way(scene)

@@ -63,7 +63,7 @@ def do_acts(scene: Setup) -> None:
         if draft.parked_s_m is not None or draft.drive.reverses is Reverses.SQUARE:
             continue
         marks = list(marks_of(scene, draft))
-        if not marks:
+        if not marks or draft.steps:
             continue
         came_s = draft.course.time_at(draft.junction_s_m - draft.body.front_m - _BEFORE_LINE_M)
         if scene.sets_off(draft.id):
@@ -84,7 +84,7 @@ def stand_in_line(scene: Setup) -> None:
     Before those who walk over their arm, too.
     """
     for draft in sorted(scene.drives.values(), key=lambda each: each.drive.rank):
-        if not draft.stands:
+        if not draft.stands or draft.steps:
             continue
         walks = [w for w in scene.walks.values() if w.crossing.arm == draft.drive.entry]
         crossed_m = (w.from_junction_m + w.body.width_m / 2 + _BEFORE_WALKER_M for w in walks)
@@ -99,9 +99,13 @@ def stand_in_line(scene: Setup) -> None:
                 comes_to = draft.laid.path_s_m(back.from_m - back.length_m) - behind
                 touches = scene.contact_wanted(other.id, draft.id)
                 place = comes_to + _QUEUE_GAP_M + (_INTO_M if touches else -_INTO_M)
-        place = min([place, *_before_slowing_m(scene, draft)])
-        begins = place - draft.speed_mps**2 / (2 * _STANDS_MPS2)
-        draft.steps = [SpeedChange(0.0, _STANDS_MPS2, s_m=begins, sort=Sort.ACT)]
+        stand(draft, min([place, *_before_slowing_m(scene, draft)]))
+
+
+def stand(draft: DriveDraft, place_m: float) -> None:
+    """Let it have come to a place of its way and stand there."""
+    begins = place_m - draft.speed_mps**2 / (2 * _STANDS_MPS2)
+    draft.steps = [SpeedChange(0.0, _STANDS_MPS2, s_m=begins, sort=Sort.ACT)]
 
 
 def _before_slowing_m(scene: Setup, draft: DriveDraft) -> Iterator[float]:

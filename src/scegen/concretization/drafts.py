@@ -197,12 +197,6 @@ class DriveDraft:
         motion = self.motion()
         self.laid_, self.exit_lane = lay_towards(network, motion, self.id)
 
-    def take_lane(self, network: RoadNetwork, lane: int) -> None:
-        """Enter in another lane."""
-        if lane != self.entry_lane:
-            self.entry_lane = lane
-            self.lay(network)
-
     def hold(self, mark: SpeedChange, holds_s: float) -> None:
         """Add a mark of a danger; held for so long, the speed in force there is resumed."""
         speed = self.speed_mps

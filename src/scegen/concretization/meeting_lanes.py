@@ -13,8 +13,8 @@ from functools import cache, partial
 from scegen.concretization.aside import change_length_m
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.encounters import pairs, same_arm
-from scegen.concretization.leaving import goes_outwards
 from scegen.concretization.meetings import first_ground
+from scegen.concretization.rings import goes_outwards
 from scegen.concretization.roads import passing_who_hides
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.tale import SIDEWAYS

@@ -16,7 +16,7 @@ from math import pi
 import numpy as np
 
 from scegen.concretization.amounts import implied
-from scegen.concretization.aside import change_length_m, close_before, neighbour_lane, pass_standing
+from scegen.concretization.aside import change_length_m, close_before, pass_standing
 from scegen.concretization.boxes import apart, box_of, box_on
 from scegen.concretization.clearance import same_lane
 from scegen.concretization.deeds import marks_of
@@ -170,7 +170,7 @@ def _spot(
         station = out.position_m + out.length_m
         share = -in_lane
     else:
-        aside = neighbour_lane(scene, draft, oncoming=True)
+        aside = draft.entry_lane - 1
         room = change_length_m(draft) + draft.body.length_m + body.length_m + _ROOM_M
         station = draft.laid.turning_starts_m - max(BLOCKS_AT_M, room)
         require_room(draft.id, station, _LEAST_WAY_M)

@@ -224,7 +224,8 @@ def _swerve(
     else:
         room_m = (runner.lane_width_m - runner.body.width_m) / 2  # up to the edge of its lane
         width = room_m if act.lateral_m is None else act.lateral_m.middle
-        lasts = lasting_s(act, width, LANE_CHANGE_S, story.grip_mps2)
+        abrupt = hazard in _ABRUPT and act.lateral_m is None  # as quick as its tyres hold
+        lasts = lasting_s(act, width, 0.0 if abrupt else LANE_CHANGE_S, story.grip_mps2)
         back = runner.moves[-1].offset_m if runner.moves else runner.offset_m
         there = lane, back + (width if side is Side.LEFT else -width)
         if abs(there[1]) > MOST_OFFSET_M:

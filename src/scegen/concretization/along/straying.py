@@ -31,9 +31,9 @@ def come_back(story: Story) -> None:
     for runner in (r for r in story.runners.values() if r.moves and r.moves[-1].lane == 0):
         last = runner.moves[-1]
         time_s, name = min(_meetings(story, runner, last.begins_s), default=(NEVER_S, ""))
-        if last.act is not None and story.goes_round(story.act(last.act)):
+        if time_s >= NEVER_S or (last.act is not None and story.goes_round(story.act(last.act))):
             time_s = last.ends_s + _ASTRAY_S
-        elif time_s >= NEVER_S or story.contact_wanted(runner.id, name):
+        elif story.contact_wanted(runner.id, name):
             continue
         if story.innermost and name and _dodge(story.runners[name]) is not None:
             continue  # beyond a median it stays there: the other gets out of its way

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import hypot
 
 from scegen.concretization.along.frame import Frame
@@ -46,7 +47,7 @@ def written_runner(
     """One along the road."""
     runner = story.runners[name]
     entry = frame.ego_arm if runner.forward else 1 - frame.ego_arm
-    changes = _changes(frame, runner)
+    changes = written_changes(runner, lambda s: frame.station_m(runner, runner.x_m(s)))
     last = changes[-1].lane_after if changes else runner.lane
     joint = frame.joint_station_m(runner)
     start = frame.station_m(runner, runner.at_m or 0.0)
@@ -80,14 +81,12 @@ def written_runner(
     return written(story, name, motion, speed_mps=speed, program=program, parked=runner.stands)
 
 
-def _changes(frame: Frame, runner: Runner) -> tuple[LaneChange, ...]:
+def written_changes(runner: Runner, station_m: Callable[[float], float]) -> tuple[LaneChange, ...]:
     """Moves to the side as places on the way: what is travelled meanwhile is their length."""
     changes, before = [], 0.0
     for move in sorted(runner.moves, key=lambda m: m.begins_s):
-        begins = frame.station_m(runner, runner.x_m(move.begins_s))
-        ends = frame.station_m(runner, runner.x_m(move.ends_s))
-        begins = max(begins, before)
-        length = max(ends - begins, _LEAST_MOVE_M)
+        begins = max(station_m(move.begins_s), before)
+        length = max(station_m(move.ends_s) - begins, _LEAST_MOVE_M)
         changes.append(
             LaneChange(
                 position_m=round(begins, 3),
