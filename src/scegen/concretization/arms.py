@@ -12,22 +12,25 @@ from functools import partial
 
 from scegen.concretization.along.compose import lay
 from scegen.concretization.along.runner import Runner
-from scegen.concretization.along.story import Story
+from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.along.telling import story_of
 from scegen.concretization.along.writing import written_changes
+from scegen.concretization.amounts import implied
 from scegen.concretization.aside import over_by_m
 from scegen.concretization.deeds import stand
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.meetings import STRUCTURAL, Meeting
 from scegen.concretization.profile import Sort
 from scegen.concretization.setup import Setup, require_room
-from scegen.concretization.stationary import blocking_m
+from scegen.concretization.stationary import BLOCKS_AT_M, blocking_m, may_stay
 from scegen.concretization.tale import SIDEWAYS, changes_before_turning, outward, pace_of
-from scegen.scenario.acts import GAINING, LEAVING, SLOWING, Act, AfterAct
+from scegen.concretization.things import lying_in_the_way, made_of, shape_of
+from scegen.scenario.acts import GAINING, LEAVING, SLOWING, Act, ActKind, AfterAct
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.hazards import HAZARDS, Case
 from scegen.scenario.logical import LogicalScenario
 from scegen.scenario.spacings import CONTACT, START
+from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver, Role
 
 _BEND_RAD = 0.35
@@ -35,14 +38,22 @@ _LEAST_RUN_UP_M, _SPARE_M = 5.0, 10.0
 
 
 def lay_on_arms(scene: Setup) -> list[Meeting]:
-    """Lay what is done on each arm on which somebody leaves its lane; tells who is where when."""
+    """Lay what is done on each arm on which somebody leaves its lane; tells who is where when.
+
+    So is what lies in the way there.
+    """
     meetings: list[Meeting] = []
+    lying = lying_in_the_way(scene.functional, scene.logical, scene.drives)
     for arm in scene.road.arms:
         line = [d for d in scene.drives.values() if d.drive.entry == arm.id and _comes_along(d)]
-        dangers = list(_hazards(scene, {draft.id for draft in line}))
+        names = {draft.id for draft in line}
+        things = [thing for _, thing in lying if thing.in_way_of in names]
+        dangers = list(_hazards(scene, names))
         causing = {n for hazard in dangers if _leaves_lane(hazard.kind) for n in hazard.by}
-        if any(_goes_aside(scene, draft, causing) for draft in line):
-            meetings += _put(scene, line, _story(scene, line))
+        if things or any(_goes_aside(scene, draft, causing) for draft in line):
+            meetings += _put(scene, line, _story(scene, line, things))
+    for hazard, thing in lying:
+        scene.blame(thing, hazard)
     return meetings
 
 
@@ -71,8 +82,8 @@ def _leaves_lane(kind: HazardKind) -> bool:
     return kind is HazardKind.SUDDEN_TURN or not LEAVING.isdisjoint(HAZARDS[kind].acts)
 
 
-def _story(scene: Setup, line: Sequence[DriveDraft]) -> Story:
-    functional = _functional(scene, line)
+def _story(scene: Setup, line: Sequence[DriveDraft], things: Sequence[Thing]) -> Story:
+    functional = _functional(scene, line, things)
     logical = _logical(scene, line, functional)
     story = story_of(functional, logical)
     # What one does to those of other arms happens where it meets them.
@@ -81,11 +92,29 @@ def _story(scene: Setup, line: Sequence[DriveDraft]) -> Story:
     story.acts = [
         a for a in story.acts if a.kind in LEAVING or a.participant in inner or a.id in told
     ]
+    for thing in things:
+        if not may_stay(scene, scene.drives[thing.in_way_of or ""]):
+            story.acts += _round(story, story.runners[thing.id])
     lay(story)
     return story
 
 
-def _functional(scene: Setup, line: Sequence[DriveDraft]) -> FunctionalScenario:
+def _round(story: Story, lies: Runner) -> list[Act]:
+    """How those who come to a thing in their lane get past who do not leave that anyway."""
+    aside = {act.participant for act in story.acts if act.kind in LEAVING}
+    ranks, owner = story.ranks(), story.things[lies.id].in_way_of or ""
+    return [
+        implied("round", name, name, ActKind.SWERVE)
+        for name, runner in story.people.items()
+        if (runner.lane, runner.forward) == (lies.lane, lies.forward)
+        and ranks[name] >= ranks[owner]
+        and name not in aside
+    ]
+
+
+def _functional(
+    scene: Setup, line: Sequence[DriveDraft], things: Sequence[Thing]
+) -> FunctionalScenario:
     """What is said of those on an arm, with that as a road; without the ego the first is it."""
     whole, names = scene.functional, {draft.id for draft in line}
     people = [whole.participant(d.id).model_copy(update={"lanes": _lanes(scene, d)}) for d in line]
@@ -109,7 +138,7 @@ def _functional(scene: Setup, line: Sequence[DriveDraft]) -> FunctionalScenario:
         ),
         "participants": tuple(people),
         "relations": tuple(r for r in whole.relations if {r.participant, r.reference} <= names),
-        "objects": (),
+        "objects": tuple(things),
         "hazards": tuple(_hazards(scene, names)),
         "acts": acts,
         "spacings": tuple(
@@ -189,10 +218,16 @@ def _put(scene: Setup, line: Sequence[DriveDraft], story: Story) -> list[Meeting
     """On the arm, over before anybody slows down to turn; who is where when follows."""
     runners = {draft: _by_acts(story.runners[draft.id]) for draft in line}
     moves = [(runner, move) for runner in runners.values() for move in runner.moves]
-    if not moves:
+    lying = [story.runners[name] for name in story.things]
+    if not moves and not lying:
         return []
-    first_s = min(move.begins_s for _, move in moves)
-    away_m = over_by_m(*line) - max(runner.x_m(move.ends_s) for runner, move in moves)
+    first_s = min((move.begins_s for _, move in moves), default=FIRST_ACT_S)
+    away_m = over_by_m(*line) - max(
+        runner.x_m(move.ends_s) if move is not None else runner.ends_m(0.0)[1] + BLOCKS_AT_M
+        for runner, move in moves or ((each, None) for each in lying)
+    )
+    for each in lying:
+        _lay_thing(scene, story, each, each.x_m(0.0) + away_m)
     where: dict[str, float] = {}
     for draft, runner in runners.items():
         station_m = partial(_station_m, runner, away_m)
@@ -216,6 +251,18 @@ def _put(scene: Setup, line: Sequence[DriveDraft], story: Story) -> list[Meeting
         ]
     (one, one_m), *others = where.items()
     return [Meeting(STRUCTURAL, one, o, one_m, o_m, 0.0, "as along a road") for o, o_m in others]
+
+
+def _lay_thing(scene: Setup, story: Story, lies: Runner, station_m: float) -> None:
+    """Put a thing on the arm of whom it lies in the way of, who may end its drive before it."""
+    thing = story.things[lies.id]
+    draft, shape = scene.drives[thing.in_way_of or ""], shape_of(thing)
+    pose = scene.network.arm_road(draft.drive.entry).line.pose(station_m, lies.y_m(0.0))
+    scene.objects.append(made_of(thing.id, shape, thing.called, pose))
+    away = draft.laid.turning_starts_m - station_m
+    scene.note(f"{thing.id}.from_junction_m", away, f"lies in the way of {draft.id}")
+    if may_stay(scene, draft):
+        draft.halts_s_m = draft.laid.path_s_m(station_m) - shape.length_m / 2 - draft.body.front_m
 
 
 def _station_m(runner: Runner, away_m: float, time_s: float) -> float:

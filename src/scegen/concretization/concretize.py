@@ -29,7 +29,6 @@ from scegen.concretization.roads import LONGEST_ARM_M, first_arm_m, plan
 from scegen.concretization.setup import NeedsLongerArms, Setup, acts_of
 from scegen.concretization.stationary import (
     go_round_stationary,
-    place_obstacles,
     place_stationary,
     pull_out,
 )
@@ -120,7 +119,6 @@ def _compose(scene: Setup, seed: int) -> ConcreteScenario:
     place_walkers(scene)
     meetings = [*reverse(scene), *cut_in_in_rings(scene), *lay_on_arms(scene)]
     go_round_stationary(scene)
-    place_obstacles(scene)
     stand_in_line(scene)
     meetings += pull_out(scene)
     stop_in_the_way(scene)

@@ -142,13 +142,6 @@ class DriveDraft:
         """Where its approach ends: at the junction, or before a thing in its way."""
         return self.junction_s_m if self.halts_s_m is None else self.halts_s_m
 
-    @property
-    def changes_before(self) -> bool:
-        """Whether it changes lanes before the junction, or anywhere on a plain road."""
-        begins = self.laid.turning_starts_m
-        plain = self.laid.turning_ends_m <= begins
-        return any(plain or change.position_m < begins for change in self.lane_changes)
-
     def motion(self, start_m: float = 0.0) -> DriveMotion:
         """The drive as written to files."""
         laid = self.laid_

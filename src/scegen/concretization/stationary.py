@@ -1,7 +1,6 @@
-"""What stands or lies in the way at a junction or beside it, who goes round it, and who pulls out.
+"""What stands in the way at a junction or beside it, who goes round it, and who pulls out.
 
-A thing lies in the lane of somebody, some way before the junction, or where that one leaves the
-lane anyway. Who meets nobody and has nothing else to do brakes for it and stays, and so does who
+Who meets nobody and has nothing else to do brakes for a thing in its way and stays, and so does who
 follows (see ``answering``); everybody else goes round it, as round a parked vehicle.
 
 One that pulls out from the strip beside the road has stood there for long, and sets off so that it
@@ -16,27 +15,26 @@ from math import pi
 import numpy as np
 
 from scegen.concretization.amounts import implied
-from scegen.concretization.aside import change_length_m, close_before, pass_standing
+from scegen.concretization.aside import close_before, pass_standing
 from scegen.concretization.boxes import apart, box_of, box_on
 from scegen.concretization.clearance import same_lane
 from scegen.concretization.deeds import marks_of
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.meetings import Meeting, drives_meet
 from scegen.concretization.others import StandDraft
-from scegen.concretization.setup import Setup, require_room
+from scegen.concretization.setup import Setup
 from scegen.concretization.tale import SIDEWAYS
-from scegen.concretization.things import THINGS_APART_M, lying_in_the_way, made_of, shape_of
 from scegen.concretization.turning_ways import turns_back_from_kerb
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import STANDING, strip_number
 from scegen.motion.standing import heads_for_junction, standing_path
 from scegen.road.geometry import Pose
-from scegen.road.model import Route, RouteStep
+from scegen.road.model import Route
 from scegen.scenario.acts import ActKind
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import LaneChange, StandingMotion
 from scegen.scenario.logical import Drive, Standing
-from scegen.scenario.vocabulary import DrivingSide, Maneuver, Side
+from scegen.scenario.vocabulary import Maneuver, Side
 
 CLEAR_OF_CORNER_M = 6.0
 """From the junction to the nearest parked bumper: behind a crosswalk of 4 m set back by 1 m."""
@@ -47,9 +45,8 @@ _BEFORE_PULLING_OUT_M = 7.0
 BLOCKS_AT_M = 45.0
 """A vehicle that blocks its lane stands this far before the junction, so that others get round."""
 BLOCKS_STRAIGHT_AT_M = 15.0
-_CLEAR_M, _WOULD_HIT_M = 0.45, 0.1
-"""From who keeps clear of it; into who would not."""
-_LEAST_WAY_M, _ROOM_M = 30.0, 6.0
+_CLEAR_M = 0.45
+"""From who keeps clear of it."""
 _SAMPLE_M = 0.5
 _ROLLS_M = 0.5
 _CHANGE_M, _SWINGS_OUT_M = 10.0, 8.0
@@ -120,70 +117,6 @@ def go_round_stationary(scene: Setup) -> None:
                 pass_standing(scene, draft, place, stand.body)
 
 
-def place_obstacles(scene: Setup) -> None:
-    """Lay every thing that dangers need in the way, and lead the others round it.
-
-    Raises:
-        MotionInfeasibleError: somebody who may not touch it would do so.
-    """
-    lies_m: dict[str, float] = {}  # how far back of the first one all that lies there reaches
-    for hazard, thing in lying_in_the_way(scene.functional, scene.logical, scene.drives):
-        draft = scene.drives[thing.in_way_of or ""]
-        shape = shape_of(thing)
-        stays = _may_stay(scene, draft)
-        half = shape.length_m / 2
-        back = lies_m[draft.id] + THINGS_APART_M + half if draft.id in lies_m else 0.0
-        lies_m[draft.id] = back + half
-        station, pose = _spot(scene, draft, shape.body, back, stays=stays)
-        touching = [d for d in scene.drives.values() if _met_m(d, pose, shape.body) is not None]
-        hit = [d for d in touching if d.changes_before or not (d is draft or same_lane(d, draft))]
-        if hit:
-            raise MotionInfeasibleError(
-                f"{hit[0].id} would drive into it where it lies in the way of {draft.id}",
-                where=thing.id,
-                hint="Say what lies in whose way, or leave it out.",
-            )
-        made = made_of(thing.id, shape, thing.called, pose)
-        scene.objects.append(made)
-        scene.blame(thing, hazard)
-        away = draft.laid.turning_starts_m - station
-        scene.note(f"{made.id}.from_junction_m", away, f"lies in the way of {draft.id}")
-        if stays:
-            draft.halts_s_m = draft.laid.path_s_m(station) - shape.length_m / 2 - draft.body.front_m
-        for other in touching if not stays else ():
-            pass_standing(scene, other, station, shape.body)
-
-
-def _spot(
-    scene: Setup, draft: DriveDraft, body: Body, back_m: float, *, stays: bool
-) -> tuple[float, Pose]:
-    """Where a thing lies on a drive (m), so far before the usual place; the pose of its middle.
-
-    In the middle of the lane for one that stops; near those who pass for one that goes round; at
-    the far edge of the lane that one leaves anyway.
-    """
-    arm = scene.road.arms[draft.drive.entry]
-    in_lane = (arm.lane_width_m - body.width_m) / 2
-    out = next((c for c in draft.lane_changes if c.lane_after != draft.entry_lane), None)
-    if out is not None and draft.changes_before:
-        aside = out.lane_after
-        station = out.position_m + out.length_m
-        share = -in_lane
-    else:
-        aside = draft.entry_lane - 1
-        room = change_length_m(draft) + draft.body.length_m + body.length_m + _ROOM_M
-        station = draft.laid.turning_starts_m - max(BLOCKS_AT_M, room)
-        require_room(draft.id, station, _LEAST_WAY_M)
-        near = min(in_lane, (draft.body.width_m + body.width_m) / 2 - _WOULD_HIT_M)
-        share = 0.0 if stays else near
-    station -= back_m
-    right = scene.network.driving_side is DrivingSide.RIGHT
-    lane = -draft.entry_lane if right else draft.entry_lane
-    step = RouteStep(scene.network.arm_roads[draft.drive.entry], lane, forward=True)
-    inwards = (aside < draft.entry_lane) == right
-    return station, scene.network.pose_at(step, station, share if inwards else -share)
-
-
 def _met_m(draft: DriveDraft, pose: Pose, body: Body) -> float | None:
     """Where on its way a drive is level with what stands or lies there, None if it stays clear."""
     path = draft.path
@@ -194,7 +127,7 @@ def _met_m(draft: DriveDraft, pose: Pose, body: Body) -> float | None:
     return draft.laid.station_m(float(s[near].mean()) + draft.body.centre_ahead_m)
 
 
-def _may_stay(scene: Setup, draft: DriveDraft) -> bool:
+def may_stay(scene: Setup, draft: DriveDraft) -> bool:
     """Whether a drive and those behind it may end before a thing: they meet nobody, change no lane.
 
     Nor does a danger between others want them to go on.
@@ -203,7 +136,7 @@ def _may_stay(scene: Setup, draft: DriveDraft) -> bool:
     line = [one for one in line if one.drive.rank >= draft.drive.rank]
     names = {one.id for one in line}
     told = [{*hazard.by, *hazard.to} & scene.drives.keys() for hazard in scene.functional.hazards]
-    aside = any(one.changes_before or one.drive.maneuver in SIDEWAYS for one in line)
+    aside = any(one.lane_changes or one.drive.maneuver in SIDEWAYS for one in line)
     if aside or scene.walks or not all(who <= names for who in told):
         return False
     others = [o for o in scene.drives.values() if o.id not in names and not same_lane(o, draft)]
