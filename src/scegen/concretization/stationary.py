@@ -33,7 +33,7 @@ from scegen.road.model import Route
 from scegen.scenario.acts import ActKind
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import LaneChange, StandingMotion
-from scegen.scenario.logical import Drive, Standing
+from scegen.scenario.logical import Drive
 from scegen.scenario.vocabulary import Maneuver, Side
 
 CLEAR_OF_CORNER_M = 6.0
@@ -56,26 +56,13 @@ _LONG_M = 7.0
 _SHARE = 0.8
 
 
-def passed_where_they_stand(scene: Setup) -> tuple[Standing, ...]:
-    """Those who are said to stay in their lane while somebody from behind goes round them."""
-    passers = [d for d in scene.logical.drives if d.maneuver in SIDEWAYS]
-    kerb = scene.functional.junction.kerb
-    return tuple(
-        Standing(participant=drive.participant, arm=drive.entry, side=kerb, in_lane=True)
-        for drive in scene.logical.drives
-        if drive.maneuver is Maneuver.STAY
-        and drive.participant != scene.functional.ego.id
-        and any(p.entry == drive.entry and p.rank > drive.rank for p in passers)
-    )
-
-
 def place_stationary(scene: Setup) -> None:
     """Line them up from the junction outwards, those that hide somebody next to the corner."""
     filled: dict[tuple[int, Side, bool], float] = {}
     pulling = {p.id for p in scene.functional.participants if p.pulls_out}
     rows_to_leave = {s.arm for s in scene.logical.standings if s.participant in pulling}
     plain = scene.network.plain
-    for standing in (*scene.logical.standings, *passed_where_they_stand(scene)):
+    for standing in scene.logical.standings:
         participant = scene.functional.participant(standing.participant)
         name, body = participant.id, participant.body
         motion = StandingMotion(
