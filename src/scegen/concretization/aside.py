@@ -19,7 +19,7 @@ from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import MOST_OFFSET_M, LaneChange
 from scegen.scenario.roadway import LANE_WIDTH_M
 from scegen.scenario.spacings import START, Measure
-from scegen.scenario.vocabulary import HazardKind, Maneuver, Side
+from scegen.scenario.vocabulary import Maneuver, Side
 
 _BEHIND_M = 3.0
 """The room that one who goes round somebody has before it pulls out."""
@@ -61,39 +61,6 @@ def keep_aside(scene: Setup) -> None:
             who.offset_m = max(-MOST_OFFSET_M, min(aside_m, MOST_OFFSET_M))
 
 
-def move_aside(
-    scene: Setup,
-    draft: DriveDraft,
-    lane: int,
-    *,
-    ends_m: float,
-    over_m: float,
-    stays_m: float | None = None,
-    hazard: HazardKind | None = None,
-) -> None:
-    """Lay a drive anew with a change of lane over ``over_m``, and back again after ``stays_m``.
-
-    All is over at station ``ends_m``.
-
-    Raises:
-        NeedsLongerArms: the arm is too short for a run-up.
-    """
-    moves = [(ends_m - over_m, draft.entry_lane if stays_m is not None else lane)]
-    if stays_m is not None:
-        moves.insert(0, (ends_m - 2 * over_m - stays_m, lane))
-    require_room(draft.id, moves[0][0], _LEAST_RUN_UP_M, _SPARE_M)
-    draft.lane_changes += [
-        LaneChange(
-            position_m=round(max(0.0, position_m), 3),
-            length_m=round(over_m, 3),
-            lane_after=after,
-            hazard=hazard,
-        )
-        for position_m, after in moves
-    ]
-    draft.lay(scene.network)
-
-
 def close_before(
     scene: Setup, draft: DriveDraft, other: DriveDraft, station_m: float
 ) -> list[Meeting]:
@@ -130,6 +97,13 @@ def pass_standing(scene: Setup, passer: DriveDraft, middle_m: float, body: Body)
     clear = (passer.body.length_m + body.length_m) / 2 + _BEHIND_M
     middle = middle_m - passer.body.centre_ahead_m
     lane = passer.entry_lane - 1  # maybe that of the oncoming
-    stays = passer.drive.maneuver is Maneuver.LANE_CHANGE and lane in scene.entry_lanes(passer)
-    ends, stays_m = (middle - clear, None) if stays else (middle + clear + change, 2 * clear)
-    move_aside(scene, passer, lane, ends_m=ends, over_m=change, stays_m=stays_m)
+    moves = [(middle - clear - change, lane)]
+    if passer.drive.maneuver is not Maneuver.LANE_CHANGE or lane not in scene.entry_lanes(passer):
+        moves.append((middle + clear, passer.entry_lane))
+    require_room(passer.id, moves[0][0], _LEAST_RUN_UP_M, _SPARE_M)
+    length_m = round(change, 3)
+    passer.lane_changes = [
+        LaneChange(position_m=round(max(0.0, at_m), 3), length_m=length_m, lane_after=after)
+        for at_m, after in moves
+    ]
+    passer.lay(scene.network)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.concretization.aside import change_length_m, close_before, move_aside
+from scegen.concretization.aside import change_length_m, close_before
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.encounters import culprits, victims
 from scegen.concretization.limits import ABRUPT_LANE_CHANGE_S
@@ -11,6 +11,7 @@ from scegen.concretization.setup import Setup
 from scegen.concretization.tale import outward
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.lanes import is_ring
+from scegen.scenario.concrete import LaneChange
 from scegen.scenario.vocabulary import HazardKind
 
 _MARGIN_M, _LEAST_CHANGE_M = 0.25, 7.0
@@ -52,5 +53,12 @@ def _cut_in(scene: Setup, draft: DriveDraft, other: DriveDraft) -> list[Meeting]
     room_m = end_m - piece.start_m - _MARGIN_M
     length = min(room_m, change_length_m(draft, ABRUPT_LANE_CHANGE_S))
     lane = scene.road.ring_lanes if goes_outwards(scene, draft) else 1
-    move_aside(scene, draft, lane, ends_m=end_m, over_m=length, hazard=HazardKind.CUT_IN)
+    change = LaneChange(
+        position_m=round(end_m - length, 3),
+        length_m=round(length, 3),
+        lane_after=lane,
+        hazard=HazardKind.CUT_IN,
+    )
+    draft.lane_changes.append(change)
+    draft.lay(scene.network)
     return close_before(scene, draft, other, end_m)
