@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import Self
 
 
 class ScegenError(Exception):
@@ -44,6 +45,11 @@ class ScegenError(Exception):
 
 class InputError(ScegenError):
     """The input cannot be used as it is."""
+
+    @classmethod
+    def unwritable(cls, error: OSError, where: object, hint: str | None = None) -> Self:
+        """A file or folder that cannot be written, and why the system says so."""
+        return cls(f"cannot be written: {error.strerror}", where=str(where), hint=hint)
 
 
 class NotTrafficError(InputError):

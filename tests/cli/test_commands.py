@@ -268,6 +268,25 @@ IMPOSSIBLE = {
         2,
         "car_1 is to go 500 m/s; a car reaches 60 m/s",
     ),
+    "braking beyond physics": (
+        "The ego follows a car. The car brakes with 100 m/s2.",
+        "near-miss",
+        2,
+        "acts.brake_1.rate_mps2: car_1 is to brake with 100 m/s2, which nobody can Give more than "
+        "0 and at most 20 m/s2.",
+    ),
+    "braking with nothing": (
+        "The ego follows a car. The car brakes with 0 m/s2.",
+        "near-miss",
+        2,
+        "car_1 is to brake with 0 m/s2, which nobody can",
+    ),
+    "off the road": (
+        "The ego overtakes a car with a lateral gap of 50 m.",
+        "near-miss",
+        2,
+        "what is told leads to offset_m: 52.16 is not allowed: it must be at most 12",
+    ),
     "alone": (
         "The ego drives alone at a four-way intersection.",
         "collision",
@@ -297,11 +316,20 @@ def test_what_does_not_hold_is_told_once(scegen):
     assert len([line for line in told if not line.startswith("skipped")]) == 1
 
 
-def test_a_lone_ego_needs_no_danger(scegen):
+def test_a_lone_ego_needs_no_danger(scegen, tmp_path):
     text = "The ego drives alone at a four-way intersection."
     done = scegen("generate", text, "-o", "out", "--check", "none")
     assert done.returncode == 0, done.stderr
-    assert "nobody else is on the road" in " ".join(done.stderr.split())
+    assert "avoided: nobody else is on the road" in " ".join(done.stderr.split())
+    assert "skipped" not in done.stderr
+    assert "a careful driver: " not in (tmp_path / "out" / "report.html").read_text("utf-8")
+
+
+def test_a_selection_is_no_list_of_all(scegen):
+    text = "Two cars and a truck meet at a four-way junction with signals while a child crosses."
+    done = scegen("generate", text, "-o", "out", "--check", "none", "--target", "none")
+    assert "3,456 distinct scenarios" in done.stderr
+    assert "made 1 of 2,000 listed; more with --count or --pick" in done.stderr
 
 
 def test_numbers_given_are_searched_only_on_request(scegen, tmp_path):

@@ -56,6 +56,12 @@ def test_an_exit_that_is_not_there(describe):
         enumerate_scenarios(describe("roundabout", 4, [EGO | {"maneuvers": ["exit_5"]}]))
 
 
+@pytest.mark.parametrize(("kind", "arms"), [("straight", 2), ("four_way", 4)])
+def test_exits_are_of_a_roundabout_alone(describe, kind, arms):
+    with pytest.raises(NoScenarioError, match="ego does: exit_1"):
+        enumerate_scenarios(describe(kind, arms, [EGO | {"maneuvers": ["exit_1"]}]))
+
+
 def test_a_straight_road_has_one_way_on(describe):
     made = drives(describe("straight", 2, [EGO]), "ego")
     assert [(d.move, d.exit, d.turn) for d in made] == [(1, 1, Maneuver.STRAIGHT)]

@@ -134,6 +134,9 @@ SAID = [
      "number nor a range with low and high"),
     (FUNCTIONAL, (*CAR, "speed_mps"), math.nan, "participants.car_1.speed_mps: nan is not a number "
      "that is finite"),
+    (FUNCTIONAL, (*CAR, "speed_mps"), -5, "participants.car_1.speed_mps: it is at least 0, not -5"),
+    (FUNCTIONAL, (*ACT, "rate_mps2"), {"low": -2, "high": 3}, "it is at least 0, not -2 to 3"),
+    (FUNCTIONAL, (*CAR, "length_m"), 500, "it is between 0.1 and 25.25, not 500"),
     (FUNCTIONAL, (*CAR, "speed_mps"), {"low": 3, "high": 2}, "low 3 lies above high 2"),
     (FUNCTIONAL, ("participants",), [], "participants: needs at least 1, has 0"),
     (FUNCTIONAL, ("participants",), [7], "participants[0]: 7 stands where fields are needed: id,"),

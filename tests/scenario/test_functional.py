@@ -42,6 +42,10 @@ def test_the_ego_is_found():
             {"participants": (Participant(id="ego", role="ego", entries={7}),)},
             r"outside 0\.\.3",
         ),
+        (
+            {"participants": (Participant(id="ego", role="ego", circulating=True),)},
+            "ego is circulating, but junction.kind is not roundabout",
+        ),
     ],
 )
 def test_contradictions_are_refused(changes, words):
@@ -61,6 +65,7 @@ def test_contradictions_are_refused(changes, words):
         ({"kind": "t", "arms": 3, "crosswalks": {3}}, r"outside 0\.\.2"),
         ({"kind": "straight", "arms": 2, "crosswalks": {0, 1}}, "one crosswalk at most"),
         ({"kind": "straight", "arms": 2, "crosswalks": {0}, "auxiliary": "on_ramp"}, "not both"),
+        ({"kind": "four_way", "arms": 4, "ring_lanes": 2}, "only for a roundabout"),
         ({"kind": "hexagon", "arms": 6}, "straight"),
     ],
 )

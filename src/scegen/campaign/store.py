@@ -55,11 +55,8 @@ def write_whole(path: Path, content: bytes, *, lasting: bool = True) -> None:
     except OSError as error:
         with suppress(OSError):
             part.unlink(missing_ok=True)
-        raise StoreError(
-            f"cannot be written: {error.strerror}",
-            where=str(path),
-            hint="what is finished is kept: make room, and the same command goes on",
-        ) from error
+        hint = "what is finished is kept: make room, and the same command goes on"
+        raise StoreError.unwritable(error, path, hint) from error
 
 
 def _sync_folder(folder: Path) -> None:
@@ -142,9 +139,7 @@ class Store:
             for folder in sorted(folders):
                 _sync_folder(folder)
         except OSError as error:
-            raise StoreError(
-                f"cannot be written: {error.strerror}", where=str(self.folder / OBJECTS)
-            ) from error
+            raise StoreError.unwritable(error, self.folder / OBJECTS) from error
 
     def get(self, name: str) -> bytes:
         """An object's content.

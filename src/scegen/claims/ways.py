@@ -13,12 +13,7 @@ from scegen.motion.model import Path
 from scegen.motion.paths import build_path, lay_drive
 from scegen.motion.polyline import LaidDrive
 from scegen.road.model import RoadNetwork
-from scegen.scenario.concrete import (
-    ConcreteParticipant,
-    ConcreteScenario,
-    DriveMotion,
-    LaneChange,
-)
+from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario, DriveMotion, LaneChange
 
 _INTO_EXIT_M = 20.0
 _BEHIND_CHANGE_M = 5.0

@@ -59,7 +59,7 @@ def write_bytes(content: bytes, output: Path | None) -> None:
     try:
         output.write_bytes(content)
     except OSError as error:
-        raise InputError(f"cannot be written: {error.strerror}", where=str(output)) from error
+        raise InputError.unwritable(error, output) from error
 
 
 @contextmanager

@@ -144,8 +144,9 @@ def _tell(made: Result) -> None:
                 if (finding.rule, finding.place) in told_above:
                     continue
                 say(f"  {item.checker}: {finding.place}: {finding.message} [{finding.rule}]")
-    if logical is not None and len(made.checks) < len(logical.scenarios):
-        say(f"made {len(made.checks)} of {len(logical.scenarios)}; more with --count or --pick")
+    if logical is not None and len(made.checks) < (there := len(logical.scenarios)):
+        listed = " listed" if there < logical.certificate.count else ""
+        say(f"made {len(made.checks)} of {there:,}{listed}; more with --count or --pick")
     say(f"open {made.folder / 'report.html'}")
 
 
@@ -155,8 +156,8 @@ def _proof_lines(proof: Proof, functional: FunctionalScenario | None) -> Iterato
     values = "" if measure is None else f" ({measure.in_words})"
     pair = " and ".join(proof.pair)
     if proof.in_band:
-        about = f"{pair}: {proof.measure}{values}" if pair else "ego: nobody else is on the road"
-        yield f"{proof.target} of {about}"
+        about = f" of {pair}: {proof.measure}{values}" if pair else ": nobody else is on the road"
+        yield f"{proof.target}{about}"
     elif not pair:
         yield f"TARGET NOT REACHED: {proof.target}: {proof.blocked_by or 'there is no pair'}"
     else:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import ceil
 
 import numpy as np
+from pydantic import ValidationError
 
 from scegen.concretization.along.compose import compose_along, tells_along
 from scegen.concretization.along.parked import opens
@@ -23,6 +24,7 @@ from scegen.concretization.meeting_lanes import choose_junction_lanes
 from scegen.concretization.meetings import Meeting
 from scegen.concretization.moments import traffic_of
 from scegen.concretization.occluders import hide
+from scegen.concretization.possible import require_possible
 from scegen.concretization.reversing import prepare_to_reverse, reverse
 from scegen.concretization.rings import cut_in_in_rings
 from scegen.concretization.roads import LONGEST_ARM_M, first_arm_m, plan
@@ -38,6 +40,7 @@ from scegen.errors import MotionInfeasibleError
 from scegen.motion.rules.stopping import must_stop
 from scegen.road import build_network
 from scegen.scenario.acts import ActKind
+from scegen.scenario.complaints import outside
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.logical import Drive, LogicalScenario
@@ -66,7 +69,21 @@ def concretize(
         MotionInfeasibleError: it cannot be driven, or needs something unsupported.
         RoadInfeasibleError: the junction cannot be built.
     """
+    require_possible(functional)
     functional = as_meant(functional, logical)
+    try:
+        return _concretize(functional, logical, seed)
+    except ValidationError as error:  # no file holds such numbers
+        raise MotionInfeasibleError(
+            f"what is told leads to {outside(error)}",
+            where="concrete scenario",
+            hint="Tell of smaller or larger amounts.",
+        ) from error
+
+
+def _concretize(
+    functional: FunctionalScenario, logical: LogicalScenario, seed: int
+) -> ConcreteScenario:
     if tells_along(functional, logical):
         return compose_along(functional, logical, seed=seed)
     for name in opens(functional):

@@ -140,8 +140,9 @@ def _maneuvers(out: Stated, vehicle: Participant, junction: Junction) -> None:
     out.facts.append(p.Maneuvers(number, vehicle.id))
     for word in words:
         if word.startswith("exit_"):
-            if (number := int(word.removeprefix("exit_"))) <= junction.arms:
-                out.facts.append(p.WantsMove(vehicle.id, ring_move(junction, number)))
+            exit_number = int(word.removeprefix("exit_"))
+            if junction.kind is JunctionKind.ROUNDABOUT and exit_number <= junction.arms:
+                out.facts.append(p.WantsMove(vehicle.id, ring_move(junction, exit_number)))
         elif word in {Maneuver.MERGE, Maneuver.EXIT}:
             out.facts.append(p.Wants(vehicle.id, Maneuver.LANE_CHANGE.value))
             side = junction.kerb if word is Maneuver.EXIT else junction.kerb.opposite

@@ -61,7 +61,9 @@ class Recorder:
                     "is not empty", where=f"--llm-record {folder}", hint="name a new folder"
                 )
         except OSError as error:
-            raise _unwritable(folder, error) from error
+            raise InputError.unwritable(
+                error, f"--llm-record {folder}", "name another folder"
+            ) from error
         self._write(RUN_FILE, run)
 
     def keep(self, chain: int, exchange: Exchange) -> None:
@@ -74,7 +76,9 @@ class Recorder:
             # a lone surrogate cannot be written as UTF-8; the escape means the same in JSON
             (self._folder / name).write_bytes(text.encode("utf-8", "backslashreplace"))
         except OSError as error:
-            raise _unwritable(self._folder, error) from error
+            raise InputError.unwritable(
+                error, f"--llm-record {self._folder}", "name another folder"
+            ) from error
 
 
 class Recording:
@@ -151,11 +155,3 @@ def words_of(request: Sequence[Any]) -> list[Any]:
 
 def _name(chain: int, agent: str, number: int) -> str:
     return f"{chain}-{agent}-{number}.json"
-
-
-def _unwritable(folder: Path, error: OSError) -> InputError:
-    return InputError(
-        f"cannot be written: {error.strerror}",
-        where=f"--llm-record {folder}",
-        hint="name another folder",
-    )

@@ -38,9 +38,7 @@ def require_usable(folder: Path, *, force: bool) -> None:
         with tempfile.TemporaryDirectory(prefix=".scegen-", dir=existing):
             pass
     except OSError as error:
-        raise InputError(
-            f"cannot be written: {error.strerror}", where=str(folder), hint="choose another -o"
-        ) from error
+        raise InputError.unwritable(error, folder, "choose another -o") from error
     if force or not folder.exists() or not any(folder.iterdir()):
         return
     for name, reason in _in_the_way(folder):
@@ -76,7 +74,7 @@ def write_files(folder: Path, files: Mapping[str, bytes]) -> None:
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_bytes(content)
     except OSError as error:
-        raise InputError(f"cannot be written: {error.strerror}", where=str(folder)) from error
+        raise InputError.unwritable(error, folder) from error
 
 
 def summary_of(folder: Path) -> dict[str, Any]:
@@ -159,9 +157,7 @@ def replace_content(folder: Path, staged: Path) -> None:
     except OSError as error:
         if made_here:
             shutil.rmtree(folder, ignore_errors=True)
-        raise InputError(
-            f"cannot be written: {error.strerror}", where=str(folder), hint="choose another -o"
-        ) from error
+        raise InputError.unwritable(error, folder, "choose another -o") from error
 
 
 def _put_back(moved: list[tuple[Path, Path | None]]) -> None:

@@ -11,9 +11,8 @@ from typing import TYPE_CHECKING
 from scegen.checking import CHECKERS, QUICK_CHECKERS, CheckReport, check_files
 from scegen.checking.subject import FUNCTIONAL_FILE, PROOF_FILE
 from scegen.criticality import prove_as_it_is
-from scegen.criticality.raising.refusing import too_fast
 from scegen.enumeration import LIST_LIMIT, enumerate_scenarios
-from scegen.errors import InfeasibleError, InputError, NoScenarioError
+from scegen.errors import InputError, NoScenarioError
 from scegen.pipeline.attempts import make_some
 from scegen.pipeline.command import recipe
 from scegen.pipeline.contents import Made, folder_files
@@ -94,8 +93,6 @@ def generate(
         raise InputError(f"must be at least 1, not {options.solutions}", where="--solutions")
     functional = source if isinstance(source, FunctionalScenario) else None
     logical = source if isinstance(source, LogicalSet) else None
-    if impossible := too_fast(functional if logical is None else logical.functional):
-        raise InfeasibleError(impossible, where="functional scenario", hint="Give a lower speed.")
     if functional is not None:
         progress("enumerating logical scenarios")
         logical = enumerate_scenarios(

@@ -54,7 +54,8 @@ def chosen_target(asked: str | None, functional: FunctionalScenario | None) -> s
         if functional is None:
             return None
         outcome = functional.outcome.kind if functional.outcome else None
-        return _TARGETS.get(outcome, NEAR_MISS)
+        alone = len(functional.participants) + len(functional.objects) == 1
+        return _TARGETS.get(outcome, AVOIDED if alone else NEAR_MISS)
     return None if asked.strip().lower() == NO_SEARCH else parse_target(asked).text
 
 

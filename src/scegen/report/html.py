@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import isfinite
 from urllib.parse import quote
 
 from markupsafe import Markup
@@ -114,7 +115,7 @@ def _facts(entry: ConcreteEntry) -> Iterator[tuple[str, str]]:
         if proof.claims:
             yield "failed" if proof.missed else "held", proof.held
         yield "held" if proof.in_band else "failed", target_words(proof)
-    if entry.verdict is not None:
+    if entry.verdict is not None and isfinite(entry.verdict.distance_m):  # somebody decides it
         yield "open", f"a careful driver: {plain(entry.verdict.outcome)}"
     failed = [row.checker for row in entry.checks if row.verdict == "failed"]
     passed = [row for row in entry.checks if row.verdict == "held"]

@@ -17,15 +17,7 @@ from scegen.road.cross_section import (
 from scegen.road.fillet import chain, wrapped
 from scegen.road.geometry import Pose, ReferenceLine
 from scegen.road.links import arm_route
-from scegen.road.model import (
-    ContactPoint,
-    Lane,
-    LaneType,
-    Road,
-    RoadLink,
-    RoadNetwork,
-    Route,
-)
+from scegen.road.model import ContactPoint, Lane, LaneType, Road, RoadLink, RoadNetwork, Route
 from scegen.road.ramps import build_ramp, gore_m
 from scegen.scenario.road_parameters import RoadParameters
 from scegen.scenario.roadway import AuxiliaryLane

@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, SerializerFunctionWrapHandler, model_serializer
 
 from scegen.scenario.definitions import Word
-from scegen.scenario.model import CheckedModel, FrozenModel, Identifier, Interval
+from scegen.scenario.model import CheckedModel, FrozenModel, Identifier, Interval, Magnitude
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Side
 
@@ -125,7 +125,7 @@ class AfterStart(_Moment):
     """So long after the start of the scenario."""
 
     type: Literal["start"] = "start"
-    delay_s: Interval = Interval(low=0.0, high=0.0)
+    delay_s: Magnitude = Interval(low=0.0, high=0.0)
 
 
 class AfterAct(_Moment):
@@ -134,7 +134,7 @@ class AfterAct(_Moment):
     type: Literal["after"] = "after"
     act: Identifier
     since: Literal["begin", "end"] = "end"
-    delay_s: Interval | None = None
+    delay_s: Magnitude | None = None
 
     @property
     def later_s(self) -> Interval:
@@ -160,7 +160,7 @@ class AfterDistance(_Moment):
 
     type: Literal["driven"] = "driven"
     participant: Identifier | None = None
-    distance_m: Interval
+    distance_m: Magnitude
 
 
 class BeforeJunction(_Moment):
@@ -168,7 +168,7 @@ class BeforeJunction(_Moment):
 
     type: Literal["before_junction"] = "before_junction"
     participant: Identifier | None = None
-    distance_m: Interval
+    distance_m: Magnitude
 
 
 When = Annotated[
@@ -193,14 +193,14 @@ class Act(CheckedModel):
     id: Identifier
     participant: Identifier
     kind: ActKind
-    target_speed_mps: Interval | None = None
-    rate_mps2: Interval | None = None
-    duration_s: Interval | None = None
-    distance_m: Interval | None = None
+    target_speed_mps: Magnitude | None = None
+    rate_mps2: Magnitude | None = None
+    duration_s: Magnitude | None = None
+    distance_m: Magnitude | None = None
     side: Side | None = None
     into: Identifier | None = None
-    lateral_m: Interval | None = None
-    lateral_mps: Interval | None = None
+    lateral_m: Magnitude | None = None
+    lateral_mps: Magnitude | None = None
     when: When | None = None
 
     def misfits(self) -> Iterator[str]:

@@ -77,6 +77,12 @@ def in_words(error: ValidationError, cls: type[BaseModel], data: object) -> str:
     return "; ".join(shown) + (f"; and {more} more" if more else "")
 
 
+def outside(error: ValidationError) -> str:
+    """The first number that lies outside what a file may hold, of one that was never written."""
+    item = error.errors(include_url=False)[0]
+    return ": ".join([str(part) for part in item["loc"][-1:]] + [_sentence(item, ())])
+
+
 def _sentence(item: ErrorDetails, models: Models) -> str:
     kind, context, value = item["type"], item.get("ctx", {}), found(item["input"])
     if kind in _SENTENCES:

@@ -20,17 +20,12 @@ from scegen.scenario.model import CheckedModel, FrozenModel, Identifier
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.reversing import Reversal
 from scegen.scenario.road_parameters import RoadParameters
-from scegen.scenario.roadway import (
-    Strip,
-)
+from scegen.scenario.roadway import Strip
 from scegen.scenario.signals import SignalPlan
-from scegen.scenario.vocabulary import (
-    HazardKind,
-    ParticipantKind,
-    Role,
-    Side,
-)
+from scegen.scenario.vocabulary import HazardKind, ParticipantKind, Role, Side
 
+MOST_RATE_MPS2 = 20.0
+"""Twice of what a tyre holds on a dry road: beyond what any body brakes or gains speed with."""
 LATEST = 1.3
 """A scenario whose ego is late is over after this many times its duration."""
 
@@ -103,7 +98,7 @@ class SpeedPhase(FrozenModel):
 
     trigger: Trigger
     target_speed_mps: float = Field(ge=0, le=100)
-    rate_mps2: float = Field(gt=0, le=20)
+    rate_mps2: float = Field(gt=0, le=MOST_RATE_MPS2)
     hazard: HazardKind | None = None
     act: Identifier | None = None
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from typing import get_args
 
 from scegen.errors import VocabularyError
 from scegen.scenario.acts import Act, WhenMeasure
 from scegen.scenario.arms import arm_angles_deg, exit_arm, turn_name
 from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.locating import members_of
 from scegen.scenario.logical import (
     Assignment,
     Conflict,
@@ -153,5 +153,5 @@ def _parameters(functional: FunctionalScenario) -> Iterator[str]:
 def _ranges(model: type[FrozenModel]) -> Iterable[str]:
     """The fields that hold a range."""
     for name, field in model.model_fields.items():
-        if field.annotation is Interval or Interval in get_args(field.annotation):
+        if Interval in members_of(field.annotation):
             yield name

@@ -22,14 +22,13 @@ from scegen.scenario.model import (
     FrozenModel,
     Identifier,
     Interval,
+    Magnitude,
     VocabularySet,
     between,
     middles,
 )
 from scegen.scenario.outcome import Outcome
-from scegen.scenario.roadway import (
-    Strip,
-)
+from scegen.scenario.roadway import Strip
 from scegen.scenario.signals import AtLight
 from scegen.scenario.spacings import CONTACT, START, Spacing
 from scegen.scenario.things import Thing
@@ -39,6 +38,7 @@ from scegen.scenario.vocabulary import (
     Control,
     CrossedArm,
     HazardKind,
+    JunctionKind,
     Maneuver,
     ParticipantKind,
     Role,
@@ -86,7 +86,7 @@ class Participant(CheckedModel):
     crosses: CrossedArm | None = None
     light: AtLight | None = None
     green_delay_s: Annotated[Interval, between(0.0, MOST_GREEN_DELAY_S)] | None = None
-    speed_mps: Interval | None = None
+    speed_mps: Magnitude | None = None
     length_m: Annotated[Interval, between(*LENGTHS_M)] | None = None
     width_m: Annotated[Interval, between(*WIDTHS_M)] | None = None
 
@@ -198,6 +198,8 @@ class FunctionalScenario(CheckedModel):
                     f"{participant.id} is on the strip {participant.strip}, which is not one of "
                     "junction.strips"
                 )
+            if participant.circulating and self.junction.kind is not JunctionKind.ROUNDABOUT:
+                yield f"{participant.id} is circulating, but junction.kind is not roundabout"
             yield from self._has_a_light(participant)
         for thing in self.objects:
             if thing.id in ids:

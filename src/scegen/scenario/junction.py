@@ -100,6 +100,8 @@ class Junction(CheckedModel):
         most = MAX_LANES if self.kind is JunctionKind.STRAIGHT else MAX_LANES - 1
         if any(not 1 <= count <= most for count in self.lanes):
             yield "lanes per direction must be 1, 2 or 3; on a road without a junction also 4"
+        if self.ring_lanes is not None and self.kind is not JunctionKind.ROUNDABOUT:
+            yield "ring_lanes is only for a roundabout"
         if self.bend is not None and self.arm_angles_deg:
             yield "a road has a bend or arm_angles_deg, not both"
         if self.bend is not None and self.auxiliary is not None:

@@ -105,7 +105,7 @@ def models_at(cls: type[BaseModel], path: Path) -> Models:
             continue
         having = [model for model in models if part in model.model_fields]
         if having:
-            inside = tuple(m for h in having for m in _members(h.model_fields[part].annotation))
+            inside = tuple(m for h in having for m in members_of(h.model_fields[part].annotation))
             if not inside:
                 return models
             models = inside
@@ -119,10 +119,10 @@ def _tag(model: type[BaseModel]) -> Any:  # noqa: ANN401 - a field's default
     return None if field is None else field.default
 
 
-def _members(annotation: Any) -> Iterator[type[BaseModel]]:  # noqa: ANN401 - any annotation
+def members_of(annotation: Any) -> Iterator[type[BaseModel]]:  # noqa: ANN401 - any annotation
     """The models in an annotation: through unions, tuples and whatever else wraps them."""
     if isinstance(annotation, type) and issubclass(annotation, BaseModel):
         yield annotation
         return
     for argument in get_args(annotation):
-        yield from _members(argument)
+        yield from members_of(argument)

@@ -4,16 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from enum import Enum
+from math import inf
 from typing import Annotated, Any, Self, TypeVar
 
-from pydantic import (
-    AfterValidator,
-    BaseModel,
-    ConfigDict,
-    Field,
-    PlainSerializer,
-    model_validator,
-)
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, PlainSerializer, model_validator
 
 T = TypeVar("T", bound=Enum)
 
@@ -91,6 +85,10 @@ class Interval(CheckedModel):
         if self.low > self.high:
             yield f"low {self.low:g} lies above high {self.high:g}"
 
+    def __str__(self) -> str:
+        """As a file shows it: one number where it is exact."""
+        return f"{self.low:g}" if self.exact else f"{self.low:g} to {self.high:g}"
+
     @property
     def middle(self) -> float:
         """The value half way."""
@@ -111,12 +109,15 @@ def between(least: float, most: float) -> AfterValidator:
 
     def inside(said: Interval) -> Interval:
         if not least <= said.low <= said.high <= most:
-            raise ValueError(
-                f"it is between {least:g} and {most:g}, not {said.low:g} to {said.high:g}"
-            )
+            allowed = f"between {least:g} and {most:g}" if most < inf else f"at least {least:g}"
+            raise ValueError(f"it is {allowed}, not {said}")
         return said
 
     return AfterValidator(inside)
+
+
+Magnitude = Annotated[Interval, between(0.0, inf)]
+"""A range of what has no sign: a speed, a time, a way."""
 
 
 def middles(*said: Interval | None) -> tuple[float | None, ...]:

@@ -6,13 +6,7 @@ from pydantic import Field
 
 from scegen.scenario.junction import MAX_ARMS, MAX_LANES
 from scegen.scenario.model import ArmSet, FrozenModel, VocabularySet
-from scegen.scenario.roadway import (
-    LANE_WIDTH_M,
-    LANE_WIDTHS_M,
-    AuxiliaryLane,
-    Carriageway,
-    Strip,
-)
+from scegen.scenario.roadway import LANE_WIDTH_M, LANE_WIDTHS_M, AuxiliaryLane, Carriageway, Strip
 from scegen.scenario.vocabulary import Control, DrivingSide, JunctionKind
 
 

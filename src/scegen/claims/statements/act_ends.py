@@ -7,13 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from scegen.claims.moments import (
-    act_begins,
-    act_run,
-    is_level,
-    passed,
-    rest,
-)
+from scegen.claims.moments import act_begins, act_run, is_level, passed, rest
 from scegen.claims.series import at, first
 from scegen.claims.sideways import ASIDE_MPS, aside_over, straightened
 from scegen.claims.told import Told

@@ -16,12 +16,7 @@ from scegen.motion.batch.arrays import Bools, Floats
 from scegen.scenario.in_line import in_next_lane
 from scegen.scenario.logical import Reverses, Walking
 from scegen.scenario.spacings import START, Measure
-from scegen.scenario.vocabulary import (
-    ON_FOOT,
-    Approach,
-    DrivingSide,
-    Maneuver,
-)
+from scegen.scenario.vocabulary import ON_FOOT, Approach, DrivingSide, Maneuver
 
 _SIDES = {Approach.LEFT: 1.0, Approach.RIGHT: -1.0}
 _COURSES = frozenset({Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE})

@@ -18,14 +18,7 @@ from scegen.claims.tolerances import SAME_LANE_M, STANDS_MPS
 from scegen.claims.view import View
 from scegen.measures.nearest import least_gap_m
 from scegen.motion.batch.arrays import Bools
-from scegen.scenario.logical import (
-    Assignment,
-    ConflictKind,
-    Crossing,
-    Drive,
-    Heading,
-    Walking,
-)
+from scegen.scenario.logical import Assignment, ConflictKind, Crossing, Drive, Heading, Walking
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver, Side
 

@@ -15,19 +15,8 @@ from scegen.claims.told import Told, amount
 from scegen.claims.tolerances import TIME_S
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools, Floats, Ints
-from scegen.motion.rules.lights import (
-    RED_FOR_S,
-    at_lights,
-    light_runners,
-    must_obey,
-)
-from scegen.motion.rules.stopping import (
-    AT_LINE_M,
-    OVER_LINE_M,
-    STOPPED_MPS,
-    STOPPED_S,
-    must_stop,
-)
+from scegen.motion.rules.lights import RED_FOR_S, at_lights, light_runners, must_obey
+from scegen.motion.rules.stopping import AT_LINE_M, OVER_LINE_M, STOPPED_MPS, STOPPED_S, must_stop
 from scegen.scenario.concrete import CrossingMotion
 from scegen.scenario.logical import Drive
 from scegen.scenario.model import Interval

@@ -13,7 +13,7 @@ from scegen.criticality.proposals.advising import Advised, advised
 from scegen.criticality.proposals.proposal import Proposer
 from scegen.criticality.raising.braking_leader import braking_leaders
 from scegen.criticality.raising.giving_up import blocking, give_up, out_of_reach
-from scegen.criticality.raising.refusing import too_fast, too_slow
+from scegen.criticality.raising.refusing import too_slow
 from scegen.criticality.raising.stage import Stage
 from scegen.criticality.search.optimize import Best, follow, search
 from scegen.criticality.search.pairs import candidate_pairs
@@ -83,7 +83,7 @@ def raise_criticality(
     network = build_network(concrete.road)
     stage, before = _aimed(functional, concrete, network, wanted)
     rng = np.random.Generator(np.random.PCG64(seed))
-    reason = too_fast(functional) or stage.blocked or too_slow(concrete, stage.pair)
+    reason = stage.blocked or too_slow(concrete, stage.pair)
     if not stage.pair and wanted.text == AVOIDED and stage.stands(before):  # nobody else is there
         return Raised(concrete, stage.proof(before, before, 1, None))
     touch = wanted.contact is True and bool(stage.pair) and stage.stands(before)

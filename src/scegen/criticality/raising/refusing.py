@@ -7,25 +7,11 @@ from scegen.criticality.search.bounds import speed_range
 from scegen.criticality.search.pairs import MEETS, follows, has_areas
 from scegen.criticality.target import Target
 from scegen.measures.tables import Tables
-from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
-from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.wording import with_article
 
 WALKING_PACE_MPS = 1.5
 """At this speed a car stops within its own shadow (0.2 m): nothing becomes dangerous."""
-
-
-def too_fast(functional: FunctionalScenario | None) -> str | None:
-    """Somebody is asked to go faster than its kind can."""
-    for participant in functional.participants if functional else ():
-        top = BODIES[participant.kind].top_speed_mps
-        if participant.speed_mps is not None and participant.speed_mps.low > top:
-            return (
-                f"{participant.id} is to go {participant.speed_mps.low:g} m/s; "
-                f"{with_article(participant.kind)} reaches {top:g} m/s"
-            )
-    return None
 
 
 def too_slow(concrete: ConcreteScenario, pair: Pair) -> str | None:

@@ -5,13 +5,7 @@ offset, speeds, trigger values, target speeds and rates. ``scegen.motion.simulat
 obvious reference. Kept out of ``scegen.motion`` itself: importing numba takes a while.
 """
 
-from scegen.motion.batch.arrays import (
-    BatchTraces,
-    Candidates,
-    Program,
-    TriggerKind,
-    empty_traces,
-)
+from scegen.motion.batch.arrays import BatchTraces, Candidates, Program, TriggerKind, empty_traces
 from scegen.motion.batch.compilation import (
     Phase,
     build_program,

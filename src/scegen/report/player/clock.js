@@ -6,6 +6,7 @@ export class Clock {
   constructor(duration, loopWindow) {
     this.duration = duration;
     this.window = loopWindow;
+    this.wholly = loopWindow[0] <= 0 && loopWindow[1] >= duration; // then no part of it stands out
     this.time = 0;
     this.rate = 1;
     this.playing = false;

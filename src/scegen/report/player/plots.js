@@ -112,7 +112,7 @@ export class Plots {
     const [from, to] = clock.window;
     context.fillStyle = paint("--hazard");
     context.globalAlpha = 0.06;
-    context.fillRect(x(from), 0, x(to) - x(from), HIGH);
+    if (!clock.wholly) context.fillRect(x(from), 0, x(to) - x(from), HIGH);
     context.globalAlpha = 1;
     context.font = "11px system-ui, sans-serif";
     context.textBaseline = "middle";

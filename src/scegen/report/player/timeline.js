@@ -17,7 +17,7 @@ export class Timeline {
       "aria-label": "Time", class: "scrub", oninput: () => actions.seek(Number(this.range.value)),
     });
     const [from, to] = clock.window;
-    this.critical = h("div", { class: "critical", style: this.place(from, to), title: "the critical seconds" });
+    this.critical = h("div", { hidden: clock.wholly, class: "critical", style: this.place(from, to), title: "the critical seconds" });
     this.marks = h("div", { class: "marks", role: "group", "aria-label": "Moments" },
       ...this.grouped().map((group) => this.mark(group, actions)));
     this.rail = h("div", { class: "rail" }, this.critical, this.range);
@@ -73,10 +73,11 @@ export class Timeline {
         bar.title = `${id} is on the common ground from ${number(span[0], 2)} to ${number(span[1], 2)} s`;
         return bar;
       });
-      const at = Math.min(this.share(spans[1].span[1]), 84);
+      const [before, after] = [this.share(spans[0].span[0]), this.share(spans[1].span[1])];
+      const side = after > 84 && before > 16 ? `right:calc(${100 - before}% + 6px)` : `left:calc(${Math.min(after, 84)}% + 6px)`;
       const words = area.pet_s === null ? "" : `PET ${number(area.pet_s, 2)} s`;
       return h("div", { class: "ground", title: "who is on the common ground of their ways, and when" }, ...bars,
-        h("span", { class: "gap", style: `left:calc(${at}% + 6px)` }, words));
+        h("span", { class: "gap", style: side }, words));
     });
   }
 
