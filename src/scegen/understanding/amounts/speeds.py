@@ -195,23 +195,12 @@ def _one_each(whom: list[Entity], figure: Figure) -> list[tuple[Entity, Quantity
     parts = figure.quantity.parts
     last = next((m for m in reversed(figure.text.mentions) if m.j <= figure.i), None)
     if last is not None and last.joined is not None and whom == last.entities:
-        listed = max(chain(last), _with_commas(last, figure), key=len)
-        named = [entity for mention in listed for entity in mention.entities]
+        named = [entity for mention in chain(last) for entity in mention.entities]
         shared = _outside(figure) == figure.i  # not "a van and the ego (at 60 km/h)"
         shared = shared and any((m.i, m.j) == (figure.i, figure.j) for m in last.mods)
         own = len(parts) == len(named) or shared
         whom = named if own else whom
     return list(zip(whom, figure.quantity.each(len(whom)), strict=True))
-
-
-def _with_commas(last: Mention, figure: Figure) -> list[Mention]:
-    """``the speeds of the ego, the van and the bus are …``: those that are named in a row."""
-    row, low = [last], figure.text.low
-    for mention in reversed([m for m in figure.text.mentions if m.i < last.i]):
-        if low(mention.j, row[0].i).strip() not in {",", "and", ", and"}:
-            break
-        row.insert(0, mention)
-    return row
 
 
 def _for_whom(figure: Figure) -> list[Entity]:

@@ -139,12 +139,14 @@ def joins(mention: Mention, state: State) -> bool:
     said = said or any((c.cat, c.value) == ("aux", "be") for c in since)
     told = state.verb_follows or state.at(1).value == "be"
     complete = said and told  # "I'm here and a van …", "and a van is behind it"
-    if complete or (state.between == {","} and not (waiting and _list_goes_on(state))):
+    row = anchor.stands_after("of") and "," in state.between  # "the speeds of …"
+    row = row and not state.events
+    if complete or (state.between == {","} and not ((waiting or row) and _list_goes_on(state))):
         return False
     let = _let(anchor, state)
     anew = is_it(anchor) and isinstance(state.at(1), Event)  # "blocks it and three cars waiting"
     anew = anew or (state.verb_follows and not let)
-    if not waiting and (anew or "," in state.between):
+    if not (waiting or row) and (anew or "," in state.between):
         return False
     if _in_parallel(anchor, state):
         return False
