@@ -1,11 +1,12 @@
-"""Speeds without a number: as fast as somebody else, in front of who is faster."""
+"""Speeds by those of others: as fast as somebody, so much faster, in front of who is faster."""
 
 from __future__ import annotations
 
-from scegen.scenario.acts import ActKind
+from scegen.scenario.acts import SLOWING, ActKind
 from scegen.scenario.model import Interval
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
+from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.telling import CHANGING, Telling
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import STILL, Amount, Doing
@@ -121,3 +122,36 @@ def kept_apart(text: Telling) -> None:
             kept = apart.at.kind in {ActKind.BRAKE, ActKind.STOP}
         if apart.measure in {Measure.GAP_M, Measure.HEADWAY_S} and kept:
             _share(pair, apart.amount.basis, "as long as the distance is kept")
+
+
+def relative(figure: Figure) -> bool:
+    """``20 km/h slower than the ego``, ``closing speed 30 km/h``: from the speed of the other.
+
+    Without "faster" or "slower", who is behind comes up so fast to who is in front.
+    """
+    text, by = figure.text, figure.quantity.exact
+    k = figure.i - 2 if text.low(figure.i - 1, figure.i) == " by " else figure.j
+    word = text.low(k, k + 1).strip()  # "slower by 20 km/h"
+    told = word in word_list("faster_than") | word_list("slower_than")
+    anybody = text.draft.entities if not told else []
+    whose_ = [figure.said_of] if figure.said_of is not None else figure.actors
+    named = [e for e in (*whose_, *figure.subject, *anybody) if e.moving_vehicle]
+    who = next((e for e in named if e.speed is None), next(iter(named), None) if told else None)
+    meets = figure.does == "collide" and bool(text.acts(0, len(text.tokens), SLOWING))
+    if who is None or (meets and not told):  # "hits it at a closing speed of …": after braking
+        return False
+    than = [e for e in text.spoken_of(figure.j + 1, text.bounds(figure.j)[1]) if e is not who]
+    other = than[0] if told and than else text.counterpart(who, text.spoken_of(0, figure.i))
+    if other is None or (who.speed is None) == (other.speed is None):
+        return False
+    faster = word in word_list("faster_than") if told else text.in_file(who, other)[0] is who
+    if other.speed is None:  # "the lead, at 50 km/h, is 25 km/h slower than the ego"
+        who, other, faster = other, who, not faster
+    sign, own = 1 if faster else -1, other.speed or STILL
+    if not told and text.context.oncoming(who if other.ego else other):
+        own, sign = Interval(low=-own.high, high=-own.low), 1  # both together come so near
+    low, high = sorted((own.low + sign * by.low, own.high + sign * by.high))
+    if low >= 0:
+        who.speed = Interval(low=low, high=high)
+        who.speed_basis = Basis(figure.i, figure.j + told, "measured from the speed of the other")
+    return low >= 0

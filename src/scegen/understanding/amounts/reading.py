@@ -11,7 +11,7 @@ from scegen.scenario.model import Interval
 from scegen.scenario.spacings import Measure
 from scegen.understanding.amounts import aside, struck
 from scegen.understanding.amounts.acting import read_acts
-from scegen.understanding.amounts.as_fast import as_fast, kept_apart
+from scegen.understanding.amounts.as_fast import as_fast, kept_apart, relative
 from scegen.understanding.amounts.aside import off_its_lane
 from scegen.understanding.amounts.doings import comes_to, fill, made, rests, until_the_next
 from scegen.understanding.amounts.elsewhere import INSTEAD, of_something_else
@@ -21,7 +21,7 @@ from scegen.understanding.amounts.letting_by import go_on
 from scegen.understanding.amounts.outcomes import impact, read_outcome
 from scegen.understanding.amounts.placed import apart, at_rest, to_a_thing
 from scegen.understanding.amounts.releasing import driven, order, sets_off
-from scegen.understanding.amounts.speeds import held, relative
+from scegen.understanding.amounts.speeds import held
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.amounts.timing import at_green, delayed, earlier
 from scegen.understanding.chunks import Chunk, Event

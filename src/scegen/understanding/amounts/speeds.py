@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.acts import SLOWING, ActKind
+from scegen.scenario.acts import ActKind
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
@@ -145,39 +145,6 @@ def _hand_on(entity: Entity, figure: Figure) -> None:
         entity.speed = entity.speed_basis = None
 
 
-def relative(figure: Figure) -> bool:
-    """``20 km/h slower than the ego``, ``closing speed 30 km/h``: from the speed of the other.
-
-    Without "faster" or "slower", who is behind comes up so fast to who is in front.
-    """
-    text, by = figure.text, figure.quantity.exact
-    k = figure.i - 2 if text.low(figure.i - 1, figure.i) == " by " else figure.j
-    word = text.low(k, k + 1).strip()  # "slower by 20 km/h"
-    told = word in word_list("faster_than") | word_list("slower_than")
-    anybody = text.draft.entities if not told else []
-    whose_ = [figure.said_of] if figure.said_of is not None else figure.actors
-    named = [e for e in (*whose_, *figure.subject, *anybody) if e.moving_vehicle]
-    who = next((e for e in named if e.speed is None), next(iter(named), None) if told else None)
-    meets = figure.does == "collide" and bool(text.acts(0, len(text.tokens), SLOWING))
-    if who is None or (meets and not told):  # "hits it at a closing speed of …": after braking
-        return False
-    than = [e for e in text.spoken_of(figure.j + 1, text.bounds(figure.j)[1]) if e is not who]
-    other = than[0] if told and than else text.counterpart(who, text.spoken_of(0, figure.i))
-    if other is None or (who.speed is None) == (other.speed is None):
-        return False
-    faster = word in word_list("faster_than") if told else text.in_file(who, other)[0] is who
-    if other.speed is None:  # "the lead, at 50 km/h, is 25 km/h slower than the ego"
-        who, other, faster = other, who, not faster
-    sign, own = 1 if faster else -1, other.speed or STILL
-    if not told and text.context.oncoming(who if other.ego else other):
-        own, sign = Interval(low=-own.high, high=-own.low), 1  # both together come so near
-    low, high = sorted((own.low + sign * by.low, own.high + sign * by.high))
-    if low >= 0:
-        who.speed = Interval(low=low, high=high)
-        who.speed_basis = Basis(figure.i, figure.j + told, "measured from the speed of the other")
-    return low >= 0
-
-
 _WAITS = frozenset({"wait", "yield", "cause", "hide"})
 _FROM_REST = frozenset({"pull_out", "unpark", "reverse", "door", "leave"})
 _BESIDES = frozenset({"prep", "locus", "manner", "aux"})
@@ -284,25 +251,24 @@ def _by_clause(figure: Figure) -> list[Entity]:
     In "a van drives at 80 km/h, a bus in the right lane at 60 km/h" the bus does as the van, but
     at a speed of its own.
     """
-    nouns = [(m.mods, m.entities) for m in figure.text.mentions]
-    own = {e for mods, who in nouns for m in mods if _is_speed(m) and m.i > figure.i for e in who}
-    verbs = [(s.event.mods, [e for e in s.actors if e not in own]) for s in figure.text.scenes]
-    return [
-        entity
-        for mods, who in (*nouns, *verbs)
-        for term in mods
-        if (term.i, term.j) == (figure.i, figure.j) and "quantity" in term.data
-        for entity in who
-    ]
+    nouns, verbs = _of_nouns_and_verbs(figure)
+    own = {e for speed, who in nouns if speed.i > figure.i for e in who}
+    told = [*nouns, *((speed, [e for e in who if e not in own]) for speed, who in verbs)]
+    return [e for t, who in told if (t.i, t.j) == (figure.i, figure.j) for e in who]
 
 
 def _has_another(figure: Figure, who: Mention) -> bool:
     """Whether a speed is told of somebody elsewhere ("… in front of us at 30; we do 70")."""
+    nouns, verbs = _of_nouns_and_verbs(figure)
+    told = {e for speed, of in (*nouns, *verbs) if speed.i != figure.i for e in of}
+    return any(e in told for e in who.entities)
+
+
+def _of_nouns_and_verbs(figure: Figure) -> list[list[tuple[Term, list[Entity]]]]:
+    """The speeds that stand with a noun, and those with a verb; with whose they are."""
     nouns = [(m.mods, m.entities) for m in figure.text.mentions]
     verbs = [(s.event.mods, s.actors) for s in figure.text.scenes]
-    told = ((m, of) for mods, of in (*nouns, *verbs) for m in mods if _is_speed(m))
-    return any(e in of for m, of in told if m.i != figure.i for e in who.entities)
-
-
-def _is_speed(term: Term) -> bool:
-    return (term.cat, term.value) == ("quantity", "speed")
+    return [
+        [(t, who) for mods, who in told for t in mods if (t.cat, t.value) == ("quantity", "speed")]
+        for told in (nouns, verbs)
+    ]
