@@ -134,11 +134,6 @@ class Mention(NounPhrase):
         """Whether it names many as one ("traffic", "a jam")."""
         return self.head is not None and "mass" in self.head.data
 
-    def turns_out(self, named: Mention) -> None:
-        """``oncoming traffic: two vans``, ``oncoming traffic, a van``: that is who it is."""
-        self.mods = [*self.mods, *(m for m in named.mods if m.cat == "num")]
-        self.heads, self.head, named.same_as = named.heads, named.head, self
-
 
 @dataclass(slots=True, eq=False)
 class Place(NounPhrase):
@@ -238,8 +233,7 @@ class Event:
 
     def whom(self, *prepositions: str) -> list[Any]:
         """Whom its phrases with these prepositions name."""
-        named = [p.target for p in self.pps if p.value in prepositions]
-        return [e for m in named if isinstance(m, Mention) for e in m.entities]
+        return [e for p in self.pps if p.value in prepositions and p.who for e in p.who.entities]
 
     def upwards(self) -> Iterator[Event]:
         """It, and the verbs on which it hangs, one after the other: three of them at most."""
@@ -257,8 +251,7 @@ class Event:
     def how(self, *values: str) -> Term | None:
         """The first word of manner with one of these values, here or on the verbs above."""
         for event in self.upwards():
-            found = (m for m in event.mods if m.cat == "manner" and m.value in values)
-            term = next(found, None)
+            term = next((m for m in event.mods if m.cat == "manner" and m.value in values), None)
             if term is not None or event.parent is None or event.parent.control != "subject":
                 return term
         return None

@@ -20,8 +20,8 @@ from scegen.understanding.clauses.ellipsis import (
     fill_in,
     named_again,
     names_another,
-    who_comes,
 )
+from scegen.understanding.clauses.located import who_comes
 from scegen.understanding.draft import Draft
 from scegen.understanding.frames import Numbers
 from scegen.understanding.meaning.lights import read_calls

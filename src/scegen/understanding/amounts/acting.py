@@ -242,14 +242,13 @@ def _told_again(doing: Doing, found: list[Doing], text: Telling) -> bool:
         # "changes to the left lane … changes back to the right one": out of whose lane it came
         doing.into = None if doing.into is before.into else doing.into
         return False
-    before.told.append(doing.i)
     named = before.nominal and before.side in {None, doing.side}
     # "Cut-in followed by braking: the van cuts in …": what the heading names
     heading = named and " : " in text.low(before.i, doing.i)
     known = doing.nominal and text.tokens[doing.i].low == "the"
     if not (heading or known) and text.find("then", before.basis.j or before.i, doing.i):
-        before.told.pop()
         return False
+    before.told.append(doing.i)
     for name in ("side", "side_basis", "into", "into_basis", "always"):
         setattr(before, name, getattr(before, name) or getattr(doing, name))
     before.amounts = {**doing.amounts, **before.amounts}

@@ -14,9 +14,8 @@ from scegen.understanding.clauses import subjects
 from scegen.understanding.clauses.attachment import outside, preposition, release, shown
 from scegen.understanding.clauses.dependents import chain
 from scegen.understanding.clauses.further import close_relative
-from scegen.understanding.clauses.nominals import read_mention, read_noun
+from scegen.understanding.clauses.nominals import premodifiers, read_mention, read_noun
 from scegen.understanding.clauses.state import State, only_then
-from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import (
     ADVERBS,
     BOUNDARIES,
@@ -49,7 +48,7 @@ class ClauseReader:
             if isinstance(chunk, Term):
                 self._word(chunk)
             elif isinstance(chunk, Mention):
-                self._premodifiers(chunk)
+                self.events += premodifiers(chunk, self._sentence)
                 read_mention(chunk, self._state)
             elif isinstance(chunk, Event):
                 self._event(chunk)
@@ -229,18 +228,6 @@ class ClauseReader:
             event.passive, event.object = True, view  # "its view blocked by a truck"
             return "aux:be" not in self._state.between
         return False
-
-    def _premodifiers(self, mention: Mention) -> None:
-        """``a speeding car``, ``the left turning truck``: events of the noun itself."""
-        for mod in mention.mods:
-            if mod.cat != "verb":
-                continue
-            event = Event(mod.value, mod.i, mod.j, mod.form, subject=[mention])
-            event.premod_of = mention
-            event.mods = [m for m in mention.ways if m.j == mod.i]
-            event.passive = mod.form == "ed" and mod.value in word_list("done_to") - {"hide"}
-            event.sentence = self._sentence
-            self.events.append(event)
 
     def _event(self, event: Event) -> None:
         state = self._state

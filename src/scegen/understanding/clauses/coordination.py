@@ -126,12 +126,9 @@ def joins(mention: Mention, state: State) -> bool:
     listed = "and" in state.between or "or" in state.between or state.between == {","}
     if not (isinstance(anchor, Mention) and listed) or state.between & {"sub", "copy"}:
         return False
-    joint = state.at(-1)
     gone = any(m.value in WAYS and m.i >= anchor.j for m in anchor.mods)  # "me straight, and he …"
     waiting = anchor is state.waiting and not (gone and "," in state.between)
     waiting = waiting and not any(anchor in event.subject for event in state.events)
-    if isinstance(joint, Term) and "next" in joint.data and state.verb_follows and not waiting:
-        return False  # "…, and then the van brakes": what happens next
     if mention.pronoun in {"count", "one", "another"} and "," in state.between:
         return False  # "four vans, two turning left": some of them, not further ones
     said = bool({"aux:be", "aux:have"} & state.between) or state.being is not None

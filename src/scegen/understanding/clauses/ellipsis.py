@@ -229,19 +229,6 @@ def _copy(verb: Event, who: Mention, chunks: list[Chunk], k: int) -> list[Event]
 
 
 _SEVERAL = frozenset({"both", "all", "they"})
-_SIDES = frozenset({"left", "right"})
-
-
-def who_comes(chunks: list[Chunk], events: list[Event]) -> None:
-    """``hits a cyclist at 15 km/h, coming from the left``: the ego comes from no own side."""
-    for event in events:
-        coming = (event.lemma, event.form) == ("come", "ing") and not event.finite
-        ego = bool(event.subject) and all(m.is_ego for m in event.subject)
-        if not (coming and ego and any(map(_from_a_side, event.pps))):
-            continue
-        named = [c for c in chunks if isinstance(c, Mention) and c.i < event.i and c.heads]
-        others = [m for m in named if m.i > event.subject[0].i and not (m.is_ego or m.possessor)]
-        event.subject = others[-1:] or event.subject
 
 
 def named_again(events: list[Event]) -> None:
@@ -297,8 +284,3 @@ def _named_with(event: Event) -> list[Mention]:
 def _same_noun(mention: Mention, one: Mention) -> bool:
     later = mention.i > one.i and mention.has("det", "def") and mention.head is not None
     return later and one.noun == mention.noun and one.label == mention.label
-
-
-def _from_a_side(prep: Prep) -> bool:
-    sided = prep.place is not None and bool(_SIDES & {*prep.place.dirs})
-    return sided and prep.value == "from"

@@ -200,3 +200,16 @@ def _side_after(chunks: list[Chunk], m: int) -> bool:
 def place_in_front(mention: Mention, state: State) -> None:
     """Gives the phrases that opened the clause to the participant that they place."""
     mention.pps += [p for p in state.fronted if p.outer != "from" and p.value != "due"]
+
+
+def who_comes(chunks: list[Chunk], events: list[Event]) -> None:
+    """``hits a cyclist at 15 km/h, coming from the left``: the ego comes from no own side."""
+    for event in events:
+        coming = (event.lemma, event.form) == ("come", "ing") and not event.finite
+        ego = bool(event.subject) and all(m.is_ego for m in event.subject)
+        sides = [p.place.dirs for p in event.pps if p.value == "from" and p.place is not None]
+        if not (coming and ego and any({"left", "right"} & {*dirs} for dirs in sides)):
+            continue
+        named = [c for c in chunks if isinstance(c, Mention) and c.i < event.i and c.heads]
+        others = [m for m in named if m.i > event.subject[0].i and not (m.is_ego or m.possessor)]
+        event.subject = others[-1:] or event.subject

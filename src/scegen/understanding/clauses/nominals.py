@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.clauses.attachment import attach
 from scegen.understanding.clauses.coordination import joins
@@ -16,7 +18,9 @@ from scegen.understanding.clauses.further import (
 )
 from scegen.understanding.clauses.located import place_in_front, side_of_place
 from scegen.understanding.clauses.state import State
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.doings_named import DONE_TO
+from scegen.understanding.phrases.headings import turns_out
 from scegen.understanding.phrases.lookahead import finite_follows
 from scegen.understanding.words.terms import NOTHING
 
@@ -27,6 +31,16 @@ _STOPPING = frozenset({"stop", "slow", "brake"})
 """What is done to somebody by what is nobody."""
 _TURNS = frozenset({"turn", "u_turn"})
 """Nouns of doings that somebody has before him ("a left turn for the ego")."""
+
+
+def premodifiers(mention: Mention, sentence: int) -> Iterator[Event]:
+    """``a speeding car``, ``the left turning truck``: events of the noun itself."""
+    for mod in (m for m in mention.mods if m.cat == "verb"):
+        event = Event(mod.value, mod.i, mod.j, mod.form, subject=[mention], sentence=sentence)
+        event.premod_of = mention
+        event.mods = [m for m in mention.ways if m.j == mod.i]
+        event.passive = mod.form == "ed" and mod.value in word_list("done_to") - {"hide"}
+        yield event
 
 
 def read_mention(mention: Mention, state: State) -> None:
@@ -48,7 +62,6 @@ def read_mention(mention: Mention, state: State) -> None:
     whole = partitive_before(state)
     if whole is not None and (not mention.mods or mention.opened_by("indef")):
         mention.same_as = whole
-        _resume(whole, state)
         return
     if further_ones(mention, state):
         mention.pronoun = "further"
@@ -77,16 +90,6 @@ def read_mention(mention: Mention, state: State) -> None:
     else:
         _start_clause(mention, state)
     state.stand_at(mention)
-
-
-def _resume(part: Mention, state: State) -> None:
-    """``four cars, one of them a taxi, meet``: the four meet, not the one."""
-    before = next((m for m in reversed(state.mentions) if m.heads and m.same_as is None), None)
-    if before is None or state.candidate is not part:
-        return
-    state.candidate = state.anchor = before
-    state.candidate_done = any(before in e.subject for e in state.events)
-    state.between = set()
 
 
 def _takes(verb: Event, state: State) -> bool:
@@ -133,7 +136,7 @@ def _described(mention: Mention, state: State) -> Mention | None:
     if bracketed(state) and isinstance(state.anchor, Mention):
         told = state.anchor
     if told is not None and told.is_mass and not mention.is_mass:
-        told.turns_out(mention)
+        turns_out(told, mention)
     return told
 
 

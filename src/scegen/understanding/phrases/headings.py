@@ -52,7 +52,7 @@ def announce(chunks: list[Chunk]) -> list[Chunk]:
                 left_out |= {begin, k}
             continue
         if "mass" in who.head.data and number is not None and isinstance(again, Mention):
-            who.turns_out(again)
+            turns_out(who, again)
         elif who.plural and who.noun in _GENERIC and len(told) > 1:
             count = Term("num", "count", who.i, who.i, data={"number": float(len(told))})
             who.mods = [count, *(m for m in who.mods if m.cat != "quant")]
@@ -99,6 +99,12 @@ def _turns_out(who: Mention, named: Mention) -> None:
     named.head = named.heads[-1]
     named.mods = [*named.mods, *(m for m in who.mods if m.cat not in _FIRST_WORDS)]
     named.same_as, who.heads, who.head = who, named.heads, named.head
+
+
+def turns_out(flow: Mention, named: Mention) -> None:
+    """``oncoming traffic: two vans``, ``oncoming traffic, a van``: that is who it is."""
+    flow.mods = [*flow.mods, *(m for m in named.mods if m.cat == "num")]
+    flow.heads, flow.head, named.same_as = named.heads, named.head, flow
 
 
 def _new(mention: Mention) -> bool:

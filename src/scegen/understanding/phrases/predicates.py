@@ -62,8 +62,6 @@ def _whose(chunks: list[Chunk], k: int, events: list[Event]) -> list[Mention]:
         chunk = chunks[n]
         if ends(chunk):
             break
-        if isinstance(chunk, Event) and chunk.subject and not chunk.nominal:
-            return chunk.subject
         if isinstance(chunk, Mention) and chunk.prep is None and _opens(chunks, n):
             return [] if chunk.negated else [chunk]
     return []
@@ -149,7 +147,6 @@ def between_lanes(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
 
 def with_particles(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
     """``cuts the van off``, ``runs him over``: "cut off" and "run over" with the object inside."""
-    dropped: set[int] = set()
     for k, chunk in enumerate(chunks):
         if not isinstance(chunk, Event):
             continue
@@ -160,7 +157,6 @@ def with_particles(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             both = longest_match([tokens[chunk.i], tokens[particle.i]], 0)
             if both is not None and both.j == _BOTH and both.has("verb"):
                 chunk.name = both.get("verb").value
-                dropped.add(id(particle))
         if chunk.name == "cut":
             chunk.name = "cut_in"
-    return [c for c in chunks if id(c) not in dropped] if dropped else chunks
+    return chunks

@@ -193,16 +193,11 @@ def _end_of_turn(chunks: list[Chunk], m: int) -> int:
 
 
 def _without_asides(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
-    """The chunks without "as the ego sees it after the turn", and without "so" before a side."""
-    therefore = word_lists("ways")["therefore"]
+    """The chunks without "as the ego sees it after the turn"."""
     found: list[Chunk] = []
     k = 0
     while k < len(chunks):
         chunk = chunks[k]
-        from_there = value_at(chunks, k + 1) == "from" and not isinstance(chunk, Mention)
-        if from_there and _text(chunk, tokens) in therefore:
-            k += 1
-            continue
         end = _seen(chunks, k, tokens) if low_at(tokens, chunk.i) == "as" else None
         if end is None and isinstance(chunk, Term) and _from_a_side(found):
             end = _end_of_turn(chunks, k)

@@ -193,10 +193,6 @@ def _counted(roster: Roster, mention: Mention, exclude: list[Entity], basis: Bas
         opened = [g for g in roster.groups if 0 < len(g.free) < len(g.members)]
         return picked(opened[-1].free if opened else roster.besides(exclude))
     count = int(number.data["number"]) if number is not None else 1
-    if which == "count" and mention.i and roster.tokens[mention.i - 1].low == "the":
-        told = [g.members for g in roster.groups if len(g.members) == count]
-        if told:
-            return list(told[-1])  # "the slower of the two"
     left = [e for e in whole if not e.some]  # "six vehicles: … three cars; one of the cars …"
     free = (roster.claim(count, exclude) or left[:count]) if which != "further" else []
     free = free or (roster.others(exclude, count) if which == "others" else [])
