@@ -46,15 +46,13 @@ def report(draft: Draft, terms: list[Term], chunks: list[Chunk], *, crossing: bo
             on = "on" in {t.low for t in draft.tokens[max(term.i - 2, 0) : term.i]}
             if on or _gone_over(draft, term):
                 draft.note(term.i, term.j, _NOBODY_THERE if on else _NOT_DRIVEN_OVER)
-        if term.cat in {"noted", "place"} and "instead" in term.data:
+        if term.cat in {"noted", "place", "manner"} and "instead" in term.data:
             calls = [e.on_call for e in draft.entities if e.on_call is not None]
             # not what tells, once or again, by what an emergency vehicle is on call
             if not ("on_call" in term.data and any((b.i or 0) <= term.i for b in calls)):
                 draft.note(term.i, term.j, term.data["instead"])
         elif term.cat == "place" and term.value in _PLACES and not _used(draft, term, crossing):
             draft.note(term.i, term.j, _PLACES[term.value])
-        elif term.cat == "manner" and term.value == "aggressive":
-            draft.note(term.i, term.j, "the manner of driving is not modelled; what is done is")
     for chunk in chunks:
         if isinstance(chunk, Mention):
             _mention(draft, chunk)
