@@ -13,8 +13,8 @@ _SIDES = frozenset({Approach.LEFT, Approach.RIGHT})
 _SIDEWAYS = _ALONG | _SIDES
 """A single vehicle "from the left" is seen by somebody; of two, each may see the other."""
 _ENDANGERS = frozenset({HazardKind.CUT_IN, HazardKind.HARD_BRAKING, HazardKind.STOPPING,
-                        HazardKind.ONCOMING_LANE, HazardKind.REVERSING,
-                        HazardKind.OVERTAKING})  # fmt: skip
+                        HazardKind.ONCOMING_LANE, HazardKind.REVERSING, HazardKind.OVERTAKING,
+                        HazardKind.RED_LIGHT_RUNNING, HazardKind.FAILURE_TO_YIELD})  # fmt: skip
 """What one vehicle does to another, which a text need not name."""
 _TO_ITSELF = frozenset({HazardKind.LOSS_OF_CONTROL, HazardKind.SWERVING, HazardKind.OBSTACLE})
 _PARTIES = ("insured", "claimant")
@@ -61,7 +61,7 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
     if all(_seen(draft, e, sides) for e in candidates):
         reason = "positions are given as seen from a vehicle that is not named; a car is added"
         return _added(draft, reason)
-    if alone and not crossing and _endangers_unnamed(draft):
+    if alone and _endangers_unnamed(draft):
         return _added(draft, "the only vehicle endangers another; a car is added as the ego")
     chosen, reason = _designate(draft, candidates)
     chosen.ego = True
