@@ -8,6 +8,8 @@ from scegen.scenario.vocabulary import Control, JunctionKind, Maneuver
 
 LIGHTS = frozenset({Control.SIGNALS, Control.SIGNALS_OFF})
 """Where traffic lights stand, whether they work or not."""
+STOPS = frozenset({Control.STOP, Control.ALL_WAY_STOP})
+"""Whoever comes to such a sign stands before going on."""
 _MINOR_ROAD = frozenset({Control.YIELD, Control.STOP})
 
 

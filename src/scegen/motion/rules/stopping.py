@@ -8,11 +8,11 @@ choice, as is where "at the line" begins).
 from __future__ import annotations
 
 from scegen.motion.rules.breaches import breaks
-from scegen.scenario.control import controlled_arms
+from scegen.scenario.control import STOPS, controlled_arms
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.hazards import RoadRule
 from scegen.scenario.logical import Drive, LogicalScenario
-from scegen.scenario.vocabulary import Control, JunctionKind, Maneuver
+from scegen.scenario.vocabulary import JunctionKind, Maneuver
 
 STOPPED_MPS = 0.1
 """Who is slower stands."""
@@ -21,8 +21,6 @@ STOPPED_S = 1.0
 AT_LINE_M = 3.0
 """A front that stands no farther before the line than this stands at the line."""
 OVER_LINE_M = 0.3
-
-_STOP_SIGNS = frozenset({Control.STOP, Control.ALL_WAY_STOP})
 
 
 def enters_at_sign(functional: FunctionalScenario, drive: Drive) -> bool:
@@ -42,7 +40,7 @@ def must_stop(functional: FunctionalScenario, logical: LogicalScenario) -> froze
     Who is said to fail to yield ignores the sign: stopping is part of giving way there. Who is on
     call need not (VC 34.2).
     """
-    if functional.junction.control not in _STOP_SIGNS:
+    if functional.junction.control not in STOPS:
         return frozenset()
     drivers = frozenset(d.participant for d in logical.drives if enters_at_sign(functional, d))
     return drivers - breaks(functional, logical, RoadRule.RIGHT_OF_WAY) - functional.on_call

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from scegen.scenario.acts import ActKind
+from scegen.scenario.control import STOPS, controlled_arms
 from scegen.scenario.evidence import Unsupported
 from scegen.scenario.functional import FunctionalScenario, Participant
+from scegen.scenario.hazards import HAZARDS, RoadRule
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.roadway import BAYS
 from scegen.scenario.signals import AtLight
@@ -233,7 +235,14 @@ def _shown(kind: ActKind, doer: Participant, scenario: FunctionalScenario) -> bo
     own = {act.kind for act in scenario.acts if act.participant == doer.id}
     stands = doer.speed_mps is not None and doer.speed_mps.high == 0.0
     at_rest = kind in {ActKind.STOP, ActKind.GIVE_WAY, ActKind.BRAKE}
-    if at_rest and (stands or doer.parked or doer.light in {AtLight.RED, AtLight.WAITS}):
+    junction = scenario.junction
+    arms = doer.entries or frozenset(range(junction.arms))
+    halts = junction.control in STOPS and arms <= controlled_arms(junction)
+    halts = halts and not any(  # who breaks that rule does not stop
+        doer.id in h.by and HAZARDS[h.kind].breaks is RoadRule.RIGHT_OF_WAY
+        for h in scenario.hazards
+    )
+    if at_rest and (stands or doer.parked or doer.light in {AtLight.RED, AtLight.WAITS} or halts):
         return True
     if kind is ActKind.SET_OFF and (stands or doer.strip in BAYS):
         return True  # nobody drives along in a bay

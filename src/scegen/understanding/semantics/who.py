@@ -11,7 +11,8 @@ import re
 from collections.abc import Callable
 from typing import TypeAlias
 
-from scegen.scenario.vocabulary import Approach, Control, HazardKind, Maneuver, ParticipantKind
+from scegen.scenario.control import STOPS
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.entity import Entity
 from scegen.understanding.semantics import lanes, met
 from scegen.understanding.semantics.context import Clause, Context
@@ -22,7 +23,6 @@ from scegen.understanding.semantics.patterns import people, phrases
 Who: TypeAlias = Callable[[Clause, Context], list[Entity]]
 EntityTest: TypeAlias = Callable[[Entity, Context], bool]
 _PART = re.compile(r"[+-][\w.|]+")
-_ALL_STOP = frozenset({Control.STOP, Control.ALL_WAY_STOP})
 _SLOWER = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING})
 
 
@@ -56,7 +56,7 @@ ENTITY: dict[str, EntityTest] = {
     "stood": lambda e, _: e.pulls_out or e.was_parked is not None or e.stands is not None,
     "stood_free": lambda e, c: e.is_vehicle and e.stands is not None and c.junction.control is None,
     "braked": lambda e, c: (
-        e.is_vehicle and e.brakes_from is not None and c.junction.control not in _ALL_STOP
+        e.is_vehicle and e.brakes_from is not None and c.junction.control not in STOPS
     ),
     "lets_by": lambda e, c: e in c.letting,
     "leads": _leads,
