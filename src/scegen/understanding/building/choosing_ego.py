@@ -12,11 +12,8 @@ _ALONG = frozenset({Approach.AHEAD, Approach.BEHIND, Approach.OPPOSITE})
 _SIDES = frozenset({Approach.LEFT, Approach.RIGHT})
 _SIDEWAYS = _ALONG | _SIDES
 """A single vehicle "from the left" is seen by somebody; of two, each may see the other."""
-_ENDANGERS = frozenset({HazardKind.CUT_IN, HazardKind.HARD_BRAKING, HazardKind.STOPPING,
-                        HazardKind.ONCOMING_LANE, HazardKind.REVERSING, HazardKind.OVERTAKING,
-                        HazardKind.RED_LIGHT_RUNNING, HazardKind.FAILURE_TO_YIELD})  # fmt: skip
-"""What one vehicle does to another, which a text need not name."""
-_TO_ITSELF = frozenset({HazardKind.LOSS_OF_CONTROL, HazardKind.SWERVING, HazardKind.OBSTACLE})
+_TO_ITSELF = frozenset({HazardKind.LOSS_OF_CONTROL, HazardKind.SWERVING, HazardKind.OBSTACLE,
+                        HazardKind.SPEEDING, HazardKind.SLOW_DRIVING})  # fmt: skip
 _PARTIES = ("insured", "claimant")
 """Whose case a report tells."""
 
@@ -94,7 +91,7 @@ def _endangers_unnamed(draft: Draft) -> bool:
     caused = {d.kind for d in draft.dangers}
     first, *rest = draft.entities
     known = first.labels or draft.tokens[first.basis.i or 0].low == "the"  # "the car stops"
-    return not (rest or known) and bool(caused & _ENDANGERS) and not caused & _TO_ITSELF
+    return not (rest or known) and bool(caused) and not caused & _TO_ITSELF
 
 
 def _look_on(draft: Draft, teller: Entity) -> None:
