@@ -6,9 +6,8 @@ from collections.abc import Callable, Iterable, Iterator
 from functools import cache, lru_cache
 from typing import Any
 
-from scegen.scenario.acts import FAR, LASTING, RESTING, ActKind
+from scegen.scenario.acts import FAR, LASTING, ActKind
 from scegen.scenario.model import Interval
-from scegen.scenario.signals import AtLight
 from scegen.scenario.spacings import Measure
 from scegen.understanding.amounts import aside, struck
 from scegen.understanding.amounts.acting import read_acts
@@ -72,14 +71,13 @@ def _place(figures: list[Figure]) -> None:
 
 def _kept(found: Happenings) -> list[Doing]:
     """Acts that are ones by themselves, or that a number or another act makes ones."""
-    acts = [d for d in found.acts if not _by_its_light(d)]
-    named = [d.when.act for d in acts if d.when is not None and d.when.act is not None]
+    named = [d.when.act for d in found.acts if d.when is not None and d.when.act is not None]
     named += [s.at for s in found.spacings if isinstance(s.at, Doing)]
-    home = [(d.entity, d.i) for d in acts if d.kind is ActKind.CHANGE_LANE]
+    home = [(d.entity, d.i) for d in found.acts if d.kind is ActKind.CHANGE_LANE]
     kept = [
         d
         for d in found.acts
-        if d in named or (d in acts and (d.always or d.amounts or d.when is not None))
+        if d.always or d.amounts or d.when is not None or d in named
         or (d.kind is ActKind.OVERTAKE  # "overtakes it on the right", "overtakes it and cuts in"
             and (d.side is not None or any(e is d.entity and i > d.i for e, i in home)))
     ]  # fmt: skip
@@ -87,15 +85,6 @@ def _kept(found: Happenings) -> list[Doing]:
     return kept
 
 
-def _by_its_light(doing: Doing) -> bool:
-    """``stops at the red light and sets off when it turns green``: as its light lets it."""
-    light, when = doing.entity.light, doing.when
-    waits = light is not None and light[0] is AtLight.WAITS and not doing.amounts
-    told = when is not None and (when.act is None or not _by_its_light(when.act))
-    return waits and doing.kind in _AT_A_LIGHT and not told and (when is None or not when.amount)
-
-
-_AT_A_LIGHT = RESTING | {ActKind.BRAKE, ActKind.SET_OFF}
 _VERBS = {ActKind.CHANGE_LANE: "lane_change", ActKind.SET_OFF: "leave"}
 """What rows call an act, where that is not its own name."""
 

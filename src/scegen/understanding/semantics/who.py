@@ -12,6 +12,7 @@ from collections.abc import Callable
 from typing import TypeAlias
 
 from scegen.scenario.control import STOPS
+from scegen.scenario.signals import AtLight
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.entity import Entity
 from scegen.understanding.semantics import lanes, met
@@ -59,6 +60,7 @@ ENTITY: dict[str, EntityTest] = {
         e.is_vehicle and e.brakes_from is not None and c.junction.control not in STOPS
     ),
     "lets_by": lambda e, c: e in c.letting,
+    "awaits_green": lambda e, _: e.light is not None and e.light[0] is AtLight.WAITS,
     "leads": _leads,
     "vehicle": lambda e, _: e.is_vehicle,
     "moving": lambda e, _: e.moving_vehicle,
