@@ -16,6 +16,7 @@ from scegen.concretization.limits import STOPS_FOR_S
 from scegen.concretization.meetings import ORDINARY, Meeting
 from scegen.concretization.setup import Setup
 from scegen.motion.rules.giving_way import CLEAR_S, TOGETHER_S, Duty
+from scegen.scenario.control import STOPS
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.vocabulary import Control
 
@@ -30,8 +31,6 @@ _BRAKES_S = 0.6
 """So long at least it slows down."""
 _LONGEST_S = 25.0
 """Nobody is let wait longer for others: of a stream somebody comes later instead."""
-
-_SIGNED = frozenset({Control.YIELD, Control.STOP, Control.ALL_WAY_STOP})
 
 
 @dataclass(frozen=True)
@@ -143,7 +142,7 @@ def patient_ones(
         if draft.id not in told
         and _is_free(draft)
         and not scene.acts_of(draft.id)
-        and (scene.road.control in _SIGNED or not scene.has_said_speed(draft.id))
+        and (scene.road.control in STOPS | {Control.YIELD} or not scene.has_said_speed(draft.id))
     )
 
 

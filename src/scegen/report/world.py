@@ -22,13 +22,12 @@ from scegen.report.theme import Theme
 from scegen.road.geometry import Pose
 from scegen.road.model import LaneType, RoadNetwork
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.control import LIGHTS
+from scegen.scenario.control import LIGHTS, STOPS
 from scegen.scenario.objects import ObjectCategory, StaticObject
 from scegen.scenario.signals import SignalState
 from scegen.scenario.vocabulary import Control
 
 _MARK_M, _DASHES = 0.15, "3 4.5"
-_STOPPING = frozenset({Control.STOP, Control.ALL_WAY_STOP, *LIGHTS})
 _SIGN_M, _SIGN_PX = 0.9, 5.0
 _AFOOT = 0.75
 """The size of lights of people on foot, of that of others."""
@@ -207,7 +206,7 @@ class Surroundings:
         theme, size = self._theme, view.at_least(_SIGN_M, _SIGN_PX)
         control = self._concrete.road.control
         ends = [_beside(pose, t) for t in (0.2 * half_m / abs(half_m), half_m)]
-        dashes = None if control in _STOPPING else "0.5 0.35"
+        dashes = None if control in STOPS | LIGHTS else "0.5 0.35"
         stop = line(ends, theme.mark, view.at_least(0.4, 1.2), stroke_dasharray=dashes)
         x, y = _beside(pose, half_m + size * (1.6 if half_m > 0 else -1.6))
         if control in LIGHTS:

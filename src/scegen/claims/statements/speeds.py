@@ -21,6 +21,7 @@ from scegen.claims.tolerances import SPEED_MPS, STANDS_MPS
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import SPEED, Floats, Ints
 from scegen.scenario.acts import GAINING, SLOWING, ActKind
+from scegen.scenario.control import STOPS
 from scegen.scenario.functional import Participant
 from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.logical import Crossing
@@ -45,7 +46,6 @@ _COMFORT_MPS2 = 1.5
 _BEFORE_TURN_M = 10.0
 _REACTS_S = 5.0
 """Who has to react does so within this time before the closest approach."""
-_STOPPING = frozenset({Control.STOP, Control.ALL_WAY_STOP, Control.YIELD, Control.SIGNALS})
 _FIRST_S = 0.5
 """A speed is held for this long at least, whatever happens."""
 
@@ -193,7 +193,7 @@ def _turns(told: Told, name: str) -> bool:
     return (
         drive.turn is not Maneuver.STRAIGHT
         or junction.kind is JunctionKind.ROUNDABOUT
-        or junction.control in _STOPPING
+        or junction.control in STOPS | {Control.YIELD, Control.SIGNALS}
         or any(c.yields == name for c in told.logical.conflicts)
     )
 

@@ -10,8 +10,6 @@ from scegen.understanding.lexicon import word_list
 
 _ALONG = frozenset({Approach.AHEAD, Approach.BEHIND, Approach.OPPOSITE})
 _SIDES = frozenset({Approach.LEFT, Approach.RIGHT})
-_SIDEWAYS = _ALONG | _SIDES
-"""A single vehicle "from the left" is seen by somebody; of two, each may see the other."""
 _TO_ITSELF = frozenset({HazardKind.LOSS_OF_CONTROL, HazardKind.SWERVING, HazardKind.OBSTACLE,
                         HazardKind.SPEEDING, HazardKind.SLOW_DRIVING})  # fmt: skip
 _PARTIES = ("insured", "claimant")
@@ -50,7 +48,7 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
     alone = len(candidates) == 1 == len(movers) and not afoot
     whence = [p.approaches for e in candidates for p in draft.placements_of(e) if not p.reference]
     alike = whence == [whence[0]] * len(movers) if whence and not afoot else False
-    sides = _SIDEWAYS if alone or alike else _ALONG  # "three cars come from the left"
+    sides = _ALONG | _SIDES if alone or alike else _ALONG  # of two, each may see the other
     exposed = bool(afoot) or len(candidates) < len(movers)
     met = exposed and len(candidates) == 1 and _met(draft, candidates[0])
     sides = sides | {Approach.ADJACENT} if len(candidates) == 1 == len(movers) else sides

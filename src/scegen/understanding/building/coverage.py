@@ -8,7 +8,7 @@ from scegen.scenario.acts import ActKind
 from scegen.scenario.control import STOPS, controlled_arms
 from scegen.scenario.evidence import Unsupported
 from scegen.scenario.functional import FunctionalScenario, Participant
-from scegen.scenario.hazards import HAZARDS, RoadRule
+from scegen.scenario.hazards import HAZARDS
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.roadway import BAYS
 from scegen.scenario.signals import AtLight
@@ -235,13 +235,9 @@ def _shown(kind: ActKind, doer: Participant, scenario: FunctionalScenario) -> bo
     own = {act.kind for act in scenario.acts if act.participant == doer.id}
     stands = doer.speed_mps is not None and doer.speed_mps.high == 0.0
     at_rest = kind in {ActKind.STOP, ActKind.GIVE_WAY, ActKind.BRAKE}
-    junction = scenario.junction
-    arms = doer.entries or frozenset(range(junction.arms))
-    halts = junction.control in STOPS and arms <= controlled_arms(junction)
-    halts = halts and not any(  # who breaks that rule does not stop
-        doer.id in h.by and HAZARDS[h.kind].breaks is RoadRule.RIGHT_OF_WAY
-        for h in scenario.hazards
-    )
+    junction, arms = scenario.junction, doer.entries or frozenset(range(scenario.junction.arms))
+    breaks = any(doer.id in h.by and HAZARDS[h.kind].breaks for h in scenario.hazards)
+    halts = not breaks and junction.control in STOPS and arms <= controlled_arms(junction)
     if at_rest and (stands or doer.parked or doer.light in {AtLight.RED, AtLight.WAITS} or halts):
         return True
     if kind is ActKind.SET_OFF and (stands or doer.strip in BAYS):

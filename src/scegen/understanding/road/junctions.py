@@ -81,11 +81,9 @@ def read_junction(terms: list[Term], tokens: list[Token]) -> JunctionReading:
     lines = [
         t for k, t in enumerate(terms) if t.value == "stop_line" and not absent.negated(terms, k)
     ]
-    crosswalk = any(t.value == "crosswalk" for t in terms)
-    if lines and reading.kind is None and not crosswalk:
+    if lines and reading.kind is None and all(t.value != "crosswalk" for t in terms):
         reading.named = reading.named or Basis(lines[0].i, lines[0].j)  # nothing else has one
-    crossing = reading.crossing and reading.kind is not JunctionKind.ROUNDABOUT
-    if lines and crossing and not said:
+    if lines and not said and reading.crossing and reading.kind is not JunctionKind.ROUNDABOUT:
         reason = "a stop line without lights is one of a stop sign"
         said[Control.STOP] = Basis(lines[0].i, lines[0].j, reason)
     _regulate(reading, said)
