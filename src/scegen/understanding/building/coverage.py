@@ -169,9 +169,7 @@ def _otherwise(term: Term, scenario: FunctionalScenario) -> str | None:
         held = scenario.junction.control
     else:
         return None
-    if held is None or held == term.value:
-        return None
-    return f"{CONTRADICTS}'{held}', which is kept"
+    return None if held in {None, term.value} else f"{CONTRADICTS}'{held}', which is kept"
 
 
 _UNDONE = "what is done here became no act; left out"
