@@ -35,7 +35,8 @@ FENCE = re.compile(
 REMARK = re.compile(r"<!-- (in|new|needs|not run|ends with):? (.*?) -->", re.DOTALL)
 TESTED_ELSEWHERE = {"in", "new"}  # changes to the program, by tests/pipeline/test_adding.py
 HAVE = {
-    "esmini": lambda: esmini() is not None and esmini_library() is not None,
+    "esmini": lambda: esmini() is not None,
+    "esmini's library": lambda: esmini_library() is not None,
     "a model": lambda: find_spec("pydantic_ai") is not None,  # a scripted one answers
     "exchange": lambda: find_spec("mcap") is not None,
 }

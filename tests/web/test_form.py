@@ -4,7 +4,7 @@ import pytest
 
 pytest.importorskip("nicegui", reason="the page needs the extra web")
 from scegen.scenario.functional import FunctionalScenario, Participant
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.vocabulary import HazardKind, ParticipantKind
 from scegen.understanding import read, report_on
 from scegen.web.form import LEFT_OUT, form_spec, standings
 from scegen.web.provenance import carried_over, confirmed, without
@@ -25,6 +25,11 @@ def test_words_bring_their_definitions():
     words = fields("hazards")["kind"]["words"]
     assert [word["value"] for word in words] == list(HazardKind)
     assert all(word["means"] for word in words)
+
+
+def test_a_door_is_no_participant():
+    kinds = [word["value"] for word in fields("participants")["kind"]["words"]]
+    assert kinds == [kind for kind in ParticipantKind if kind is not ParticipantKind.DOOR]
 
 
 def test_types_become_inputs_with_units():

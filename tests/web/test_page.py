@@ -249,6 +249,19 @@ def test_two_sessions_know_nothing_of_each_other(server, visit):
     assert first.count() != second.count()
 
 
+def test_on_a_narrow_page_steps_have_names_and_troubles_say_what_to_do(server, visit):
+    page = visit(server.url).page
+    page.set_viewport_size({"width": 380, "height": 720})
+    for name in ("Choose", "Make dangerous", "Watch", "Take away"):
+        assert page.get_by_role("button", name=name).count() == 1, name
+    page.fill("textarea", " ")
+    page.keyboard.press("Control+Enter")
+    page.wait_for_selector(".problem:visible")
+    told = page.inner_text(".problem:visible").splitlines()
+    assert told[0] == "description: the description is empty"
+    assert told[1].strip().startswith("Describe a traffic situation")
+
+
 def test_axe_finds_nothing_serious(server, visit):
     visitor = visit(server.url)
 

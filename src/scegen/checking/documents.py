@@ -69,7 +69,8 @@ def parse_document(name: str, content: bytes, root_tag: str) -> Document:
     except (etree.XMLSyntaxError, ValueError) as failure:
         line = getattr(failure, "lineno", None)
         place = f"{name}:{line}" if line else name
-        raise BrokenXmlError(error("xml.well_formed", place, f"not XML: {failure}")) from failure
+        why = str(failure).partition(" (<string>")[0]
+        raise BrokenXmlError(error("xml.well_formed", place, f"not XML: {why}")) from failure
     if root.getroottree().docinfo.internalDTD is not None:
         message = "declares a document type; such files are not read (entities could expand)"
         raise BrokenXmlError(error("xml.no_doctype", name, message))

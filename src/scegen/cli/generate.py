@@ -54,7 +54,7 @@ def generate(
         CheckDepth, typer.Option(help="quick leaves out the ASAM checkers.")
     ] = CheckDepth.QUICK,
     force: Annotated[
-        bool, typer.Option("--force", help="Replace what lies in the folder.")
+        bool, typer.Option("--force", help="Replace what somebody has changed there, too.")
     ] = False,
     ego: Annotated[
         EgoMode, typer.Option(help="external writes the ego without motion, for your own driver.")

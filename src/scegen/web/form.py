@@ -19,6 +19,7 @@ from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.glossary import meaning_of
 from scegen.scenario.junction import MAX_ARMS
 from scegen.scenario.model import ArmSet, Identifier, Interval
+from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding import Finding, ParseReport, Standing
 from scegen.units import parted
 
@@ -123,7 +124,8 @@ def _of(name: str) -> str:
 
 
 def _words(words: type[StrEnum]) -> list[Spec]:
-    return [{"value": str(word), "means": meaning_of(word).sentence} for word in words]
+    taken = [word for word in words if word is not ParticipantKind.DOOR]  # that is no participant
+    return [{"value": str(word), "means": meaning_of(word).sentence} for word in taken]
 
 
 def _told(model: type[BaseModel]) -> str:

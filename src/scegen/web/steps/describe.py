@@ -166,7 +166,7 @@ class Describe(StepView):
                 return
             trouble = work.trouble("listing")
             if trouble is not None:
-                node("div", "problem", f"{trouble.message} {trouble.hint or ''}", role="alert")
+                node("div", "problem", trouble.render(), role="alert")
                 drawn(junction(work.functional), "paper")
                 return
             certificate = listing.certificate

@@ -80,7 +80,7 @@ class Activity:
             said = "waiting for its turn" if waiting else step
             self._text.text = f"{said} · {job.seconds:.0f} s"
         troubles = [self._work.trouble(kind) for kind in self._kinds]
-        wrong = [t.render().replace("\n  ", " ") for t in troubles if t is not None]
+        wrong = [t.render() for t in troubles if t is not None]
         tell(self._problem, wrong[0] if wrong else None)
 
     def _cancel(self) -> None:
