@@ -44,6 +44,15 @@ def test_generate_folder(folder, tmp_path):
     assert [report.folder.rsplit("/")[-1] for report in reports] == ["001-a", "002-b"]
 
 
+def test_a_made_scenario_that_lost_its_file_is_not_passed_over(folder, tmp_path):
+    made = tmp_path / "out"
+    for name in ("001-a", "002-b"):
+        shutil.copytree(folder, made / "scenarios" / name)
+    (made / "scenarios" / "002-b" / "scenario.xosc").unlink()
+    with pytest.raises(InputError, match=r"002-b/scenario\.xosc"):
+        check_path(made, OWN)
+
+
 def test_single_files(folder):
     [road] = check_path(folder / "road.xodr", OWN)
     assert [result.checker for result in road.results] == ["opendrive"]
@@ -57,6 +66,12 @@ def test_folder_of_foreign_files(folder, tmp_path):
     foreign.mkdir()
     shutil.copy(folder / "road.xodr", foreign / "town.xodr")
     assert [report.ok for report in check_path(foreign, OWN)] == [True]
+    shutil.copy(folder / "concrete.yaml", foreign)  # numbers alone make it no scenario of ours
+    assert [report.ok for report in check_path(foreign, OWN)] == [True]
+    (foreign / "town.xodr").rename(foreign / "road.xodr")
+    (foreign / "concrete.yaml").unlink()
+    shutil.copy(folder / "scenario.xosc", foreign / "drive.xosc")
+    assert [report.ok for report in check_path(foreign, OWN)] == [True, True]
 
 
 def test_single_scenario_without_its_road(folder, tmp_path):

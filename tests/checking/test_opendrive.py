@@ -285,6 +285,7 @@ def test_broken_files_are_findings(content, rule):
     result = check_opendrive("road.xodr", content).result
     assert result.status is CheckStatus.FAILED
     assert rule in {finding.rule for finding in result.findings}
+    assert "<string>" not in "".join(finding.message for finding in result.findings)
 
 
 def test_entities_are_not_expanded():

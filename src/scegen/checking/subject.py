@@ -70,10 +70,13 @@ def find_subjects(path: Path) -> list[Subject]:
         return [_single(path)]
     if not path.is_dir():
         raise InputError("does not exist", where=str(path), hint=HINT)
-    if any((path / name).exists() for name in (ROAD_FILE, SCENARIO_FILE, CONCRETE_FILE)):
+    # One of them alone may be anybody's, and of two the third is missed.
+    if sum((path / name).exists() for name in (ROAD_FILE, SCENARIO_FILE, CONCRETE_FILE)) > 1:
         return [read_folder(path)]
-    inside = path / "scenarios" if (path / "scenarios").is_dir() else path
-    folders = sorted(p.parent for p in inside.glob(f"*/{SCENARIO_FILE}"))
+    if (made := path / "scenarios").is_dir():  # each is one, whatever it lacks
+        folders = sorted(p for p in made.iterdir() if p.is_dir())
+    else:
+        folders = sorted(p.parent for p in path.glob(f"*/{SCENARIO_FILE}"))
     if folders:
         return [read_folder(folder) for folder in folders]
     files = sorted(p for p in path.iterdir() if p.suffix.lower() in SUFFIXES)
