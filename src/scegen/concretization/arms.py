@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
+from itertools import pairwise
 
 from scegen.concretization.along.compose import lay
 from scegen.concretization.along.runner import Runner
@@ -44,8 +45,10 @@ def lay_on_arms(scene: Setup) -> list[Meeting]:
     """
     meetings: list[Meeting] = []
     lying = lying_in_the_way(scene.functional, scene.logical, scene.drives)
+    owners = {thing.in_way_of for _, thing in lying}
     for arm in scene.road.arms:
-        line = [d for d in scene.drives.values() if d.drive.entry == arm.id and _comes_along(d)]
+        here = (draft for draft in scene.drives.values() if draft.drive.entry == arm.id)
+        line = [draft for draft in here if _comes_along(draft) or draft.id in owners]
         names = {draft.id for draft in line}
         things = [thing for _, thing in lying if thing.in_way_of in names]
         dangers = list(_hazards(scene, names))
@@ -249,8 +252,10 @@ def _put(scene: Setup, line: Sequence[DriveDraft], story: Story) -> list[Meeting
             )
             for step in runner.steps
         ]
-    (one, one_m), *others = where.items()
-    return [Meeting(STRUCTURAL, one, o, one_m, o_m, 0.0, "as along a road") for o, o_m in others]
+    return [
+        Meeting(STRUCTURAL, one, other, one_m, other_m, 0.0, "as along a road")
+        for (one, one_m), (other, other_m) in pairwise(where.items())
+    ]
 
 
 def _lay_thing(scene: Setup, story: Story, lies: Runner, station_m: float) -> None:
