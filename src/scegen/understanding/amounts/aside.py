@@ -203,7 +203,9 @@ def _into(doing: Doing, scene: Clause, context: Context) -> None:
     named = [e for e in (*owners, *scene.targets, *people(near), *cut) if e is not doing.entity]
     if named:
         doing.into, doing.into_basis = named[0], Basis(event.i, event.j)
-    if near and named and not context.junction.crossing and named[0].moving_vehicle:
+    joins = doing.entity.by_ramp and all(p.value == "ahead" for p in near)  # till then beside it
+    apart = context.junction.crossing or joins
+    if near and named and not apart and named[0].moving_vehicle:
         _beside_whom(doing, named[0], near[0], context)
 
 
@@ -213,7 +215,7 @@ def _is_there(entity: Entity, phrase: Prep, context: Context) -> bool:
     Into that of one whom only this phrase brings in ("in front of a car that is 20 m behind it").
     """
     ahead = phrase.value == "ahead"
-    known = (e for e in people([phrase]) if e.basis.i < phrase.word.i or not ahead)
+    known = (e for e in people([phrase]) if e.ego or (e.basis.i or 0) < phrase.word.i or not ahead)
     for other in (e for e in known if entity.ego is not e.ego):
         front, told = entity if ahead else other, context.draft.placements
         told = [p for p in told if p.basis.i != phrase.word.i and not front.start_lane]
