@@ -214,6 +214,12 @@ def test_schema_is_json_schema(scegen, level):
     assert "properties" in json.loads(scegen("schema", level).stdout)
 
 
+def test_an_unknown_level_names_all_that_there_are(scegen):
+    done = scegen("schema", "abstract")
+    assert done.returncode == 2
+    assert all(f"'{level}'" in done.stderr for level in ("functional", "concrete", "campaign"))
+
+
 def test_doctor_names_every_tool(scegen):
     done = scegen("doctor", "--json", path="/usr/bin:/bin")
     tools = {tool["tool"]: tool for tool in json.loads(done.stdout)}

@@ -190,7 +190,7 @@ def _counted_cars(
     from scegen.pipeline.source import functional_of
 
     if (source is None) == (entries is None):
-        raise InputError("name either a functional file (or a text) or --entries, not both")
+        raise InputError("name one of the two: a functional file (or a text), or --entries")
     if source is not None:
         return functional_of(source)
     if junction_arms is None:

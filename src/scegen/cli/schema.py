@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
@@ -10,7 +10,10 @@ from scegen.cli.console import result_json
 
 
 def schema(
-    level: Annotated[str, typer.Argument(help="functional, logical, concrete or campaign")],
+    level: Annotated[
+        Literal["functional", "logical", "concrete", "campaign"],
+        typer.Argument(help="What the files hold."),
+    ],
 ) -> None:
     """Print the JSON Schema of a level."""
     from scegen.scenario.files import json_schema
