@@ -40,7 +40,7 @@ def strip_m(story: Story, *, left: bool) -> float:
 def offset_all(story: Story) -> None:
     """Put those aside of whom the text says how far they are so, or where they are hit."""
     told: set[str] = set()
-    parked, known = story.parked.keys(), story.parked | story.runners
+    parked, known = story.parked.keys(), story.runners | story.parked
     passing = {act.participant for act in story.acts if story.goes_round(act)}
     for spacing in story.functional.spacings:
         who, other = spacing.participant, spacing.reference
