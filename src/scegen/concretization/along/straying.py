@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import partial
+from math import copysign
 
 import numpy as np
 
@@ -64,7 +65,9 @@ def _meet_after(story: Story) -> None:
     said = {n for s in story.functional.spacings for n in (s.participant, s.reference)}
     # The ego's own straying counts more than what others do towards it.
     for stray in sorted(story.runners.values(), key=lambda r: r is story.ego):
-        out = next((m for m in stray.moves if m.lane == 0), None)
+        half_m, inward = stray.body.width_m / 2, copysign(1.0, stray.lane_y_m(1))
+        over = (m for m in stray.moves if m.lane == 0 or inward * stray.y_m(m.ends_s) < half_m)
+        out = next(over, None)
         if out is None:
             continue
         there = (0, out.offset_m)
