@@ -39,6 +39,6 @@ def test_who_is_not_named_is_a_car_and_that_is_told(done, whence):
     found = read(f"On a country road the ego is {done}.")
     assert found.participant("car_1").approaches == {whence}
     reasons = [e.reason for e in found.evidence if e.field == "participants.car_1.kind"]
-    assert reasons == ["by whom is not said; a car does it"]
+    assert reasons == ["the other one is not named; here it is a car"]
     named = read(f"On a country road the ego is {done} by a bus.")
     assert {p.id for p in named.participants} == {"ego", "bus_1"}

@@ -130,9 +130,11 @@ def relative(figure: Figure) -> bool:
     Without "faster" or "slower", who is behind comes up so fast to who is in front.
     """
     text, by = figure.text, figure.quantity.exact
-    k = figure.i - 2 if text.low(figure.i - 1, figure.i) == " by " else figure.j
-    word = text.low(k, k + 1).strip()  # "slower by 20 km/h"
-    told = word in word_list("faster_than") | word_list("slower_than")
+    compared = word_list("faster_than") | word_list("slower_than")
+    before = text.low(figure.start, figure.i).split()  # "slower than the ego by 20 km/h"
+    near = before[::-1] if before[-1:] == ["by"] else text.low(figure.j, figure.j + 1).split()
+    word = next((w for w in near if w in compared), None)
+    told = word is not None
     anybody = text.draft.entities if not told else []
     whose_ = [figure.said_of] if figure.said_of is not None else figure.actors
     named = [e for e in (*whose_, *figure.subject, *anybody) if e.moving_vehicle]

@@ -42,15 +42,25 @@ def row_of(figure: Figure) -> list[tuple[Entity, Entity]]:
 
 
 def each_from(figure: Figure) -> tuple[list[tuple[Entity, Entity]], list[Amount]]:
-    """``they are 20 m and 45 m ahead``: each of two so far from a third, by a number of its own."""
+    """``they are 20 m and 45 m ahead``: each of two so far from a third, by a number of its own.
+
+    In "the gaps are 20 m and 45 m" those in front are so far from one another.
+    """
     text, quantity = figure.text, figure.quantity
-    named = (figure.subject, figure.actors, text.spoken_of(figure.start, figure.i))
+    spoken = text.spoken_of(figure.start, figure.i)
+    others = [e for e in spoken or text.draft.entities if not e.ego]
+    named = (figure.subject, figure.actors, spoken, others)
     who = next((w for w in named if len(w) == len(quantity.parts)), [])
     other = next((e for e in (*text.named(figure.noun), text.ego) if e not in who), None)
     if other is None or not quantity.joined:
         return [], []
+    ahead = [e for e in who if (e, _AHEAD) in text.stand(e, other)]
+    following = list(pairwise(ahead if figure.words_around.closes("one_to_the_next") else []))
+    for near, far in following:
+        text.draft.place(far, near, _AHEAD, figure.amount.basis)
+    nearer = {far: near for near, far in following}
     each = (replace(figure.amount, value=part.value) for part in quantity.each(len(who)))
-    return [(entity, other) for entity in who], list(each)
+    return [(entity, nearer.get(entity, other)) for entity in who], list(each)
 
 
 def _in_one_file(members: list[Entity], text: Telling) -> bool:
@@ -66,8 +76,8 @@ def _in_one_file(members: list[Entity], text: Telling) -> bool:
 def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     """Who lies how far from whom."""
     text, noun, subject = figure.text, figure.noun, figure.subject
-    if " ".join(figure.words_around.after.split()[:4]).endswith("the next"):
-        return None  # "each 3 m clear of the next"
+    if figure.words_around.opens("from_each"):
+        return None  # "each 3 m clear of the next", "with gaps of 20 m each"
     if (meeting := before_they_meet(figure)) is not None:
         return (meeting[0], meeting[1]) if len(meeting) > 1 else None
     named = text.named(noun) if noun is None or not noun.has("possessive") else []

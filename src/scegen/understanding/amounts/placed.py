@@ -31,7 +31,7 @@ def apart(figure: Figure) -> bool:
     if not row:
         row, amounts = each_from(figure)
     pair = row[-1] if row else pair_of(figure)
-    if pair is None or _ends_up(figure):
+    if pair is None or _ends_up(figure) or (figure.quantity.joined and not row):
         return False
     measure = _sideways(figure, *pair)
     at = moment(figure, measure, *pair)

@@ -154,6 +154,9 @@ _IN_THE_WAY = frozenset({HazardKind.STOPPING, HazardKind.SLOW_DRIVING, HazardKin
                          HazardKind.OBSTACLE})  # fmt: skip
 _OVER_THERE = frozenset({Maneuver.U_TURN, Maneuver.OVERTAKE, Maneuver.LEFT, Maneuver.RIGHT})
 """Ways on which one gets into the lane of those who come the other way."""
+_OVER = _OVER_THERE | {Maneuver.LANE_CHANGE, Maneuver.MERGE, Maneuver.CROSS}
+_SIDEWAYS = (HazardKind.CUT_IN, HazardKind.SWERVING, HazardKind.MERGING_CONFLICT,
+             HazardKind.LOSS_OF_CONTROL, HazardKind.ONCOMING_LANE)  # fmt: skip
 
 
 def in_the_way(draft: Draft, ego: Entity) -> None:
@@ -179,17 +182,23 @@ def at_the_edge(draft: Draft, happenings: Happenings) -> None:
 
 
 def in_one_lane(draft: Draft, happenings: Happenings) -> None:
-    """On a straight road, two who collide head-on: the one that comes the other way strays."""
+    """On a straight road, of two who touch, or nearly do, one comes over to the other.
+
+    Head-on, that is the one that comes the other way; side by side, the one that hits.
+    """
     ending = happenings.ending
-    pair = ending.between if ending is not None and ending.kind is OutcomeKind.COLLISION else []
+    pair = ending.between if ending is not None and ending.kind is not OutcomeKind.AVOIDED else []
     told = {*draft.causing(), *draft.suffering()}
-    for entity in pair if told.isdisjoint(pair) else []:
-        oncoming = entity.approaches == {Approach.OPPOSITE} and entity.moving_vehicle
+    aside = {*draft.causing(*_SIDEWAYS), *draft.suffering(*_SIDEWAYS)}
+    over = any(e.maneuvers & _OVER for e in pair) or not aside.isdisjoint(pair)
+    for entity in [e for e in pair if e.moving_vehicle]:
+        basis = (entity.approach_basis or entity.basis).because("two who touch are in one lane")
         to = [e for e in pair if e.ego and not e.maneuvers & _OVER_THERE]
-        if oncoming and to and entity.stands is None:
-            basis = entity.approach_basis or entity.basis
-            basis = basis.because("two who collide head-on are in one lane")
+        oncoming = entity.approaches == {Approach.OPPOSITE} and entity.stands is None
+        if oncoming and to and told.isdisjoint(pair):
             draft.hazard(HazardKind.ONCOMING_LANE, basis, [entity], to)
+        if Approach.ADJACENT in entity.approaches and not over:
+            draft.hazard(HazardKind.SWERVING, basis, pair[:1], pair[1:])
 
 
 def from_the_strip(draft: Draft, ego: Entity) -> None:

@@ -91,8 +91,8 @@ class Builder:
         onto_the_road(self.draft, junction.driving_side)
         if junction.kind is JunctionKind.STRAIGHT:
             in_the_way(self.draft, ego)
-            in_one_lane(self.draft, self.happenings)
             abreast(self.draft, ego)
+            in_one_lane(self.draft, self.happenings)
             both_change_lanes(self.draft, ego)
             from_the_strip(self.draft, ego)
             settle_along(self.draft, ego, self.happenings)
@@ -118,7 +118,7 @@ class Builder:
         conditions = self.around.conditions
         for name, (_, basis) in conditions.items():
             self.proofs.add(f"environment.{name}", basis)
-        writer = Writer(self.happenings, ego, self.proofs)
+        writer = Writer(self.happenings, ego, self.proofs, junction.lanes_wide_m)
         parts: dict[str, Any] = {
             "level": "functional",
             "description": self.draft.text,

@@ -14,12 +14,14 @@ from scegen.scenario.acts import (
     When,
     WhenMeasure,
 )
+from scegen.scenario.bodies import BODIES
 from scegen.scenario.evidence import Evidence, EvidenceSource
+from scegen.scenario.model import Interval
 from scegen.scenario.outcome import Outcome
 from scegen.scenario.spacings import Measure, Spacing
 from scegen.scenario.things import Thing
 from scegen.understanding.entity import Basis, Entity
-from scegen.understanding.happenings import STILL, Doing, Happenings, Trigger
+from scegen.understanding.happenings import STILL, Amount, Doing, Happenings, Trigger
 from scegen.understanding.words.tokens import Token
 
 
@@ -30,6 +32,7 @@ class Writer:
     happenings: Happenings
     ego: Entity
     proofs: Proofs
+    lane_width_m: float
 
     def acts(self) -> tuple[Act, ...]:
         """All acts in the order of the text."""
@@ -40,8 +43,15 @@ class Writer:
     def _act(self, doing: Doing) -> Act:
         path = f"acts.{doing.name}"
         self.proofs.add(f"{path}.kind", doing.basis)
-        values = {name: amount.value for name, amount in doing.amounts.items()}
-        for name, amount in doing.amounts.items():
+        amounts = dict(doing.amounts)
+        if (over := amounts.pop("over_line_m", None)) is not None:
+            said, usual = doing.entity.sizes.get("width_m"), BODIES[doing.entity.kind].width_m
+            room = (self.lane_width_m - (said.value.middle if said else usual)) / 2
+            value = Interval(low=over.value.low + room, high=over.value.high + room)
+            basis = over.basis.because(f"from the middle of its lane, {room:.2f} m from the line")
+            amounts["lateral_m"] = Amount(value, basis)
+        values = {name: amount.value for name, amount in amounts.items()}
+        for name, amount in amounts.items():
             self.proofs.add(f"{path}.{name}", amount.basis)
         if doing.side is not None:
             self.proofs.add(f"{path}.side", doing.side_basis or doing.basis)

@@ -132,7 +132,10 @@ def each_side(prep: Prep) -> bool:
 
 
 def in_between(chunks: list[Chunk]) -> list[Chunk]:
-    """``rides between the ego and a truck``: ahead of the one and behind the other, in line."""
+    """``rides between the ego and a truck``: ahead of the one and behind the other, in line.
+
+    Between two others, between either of them.
+    """
     found, second = list(chunks), dict[int, Chunk]()
     for k in [k for k, c in enumerate(chunks) if (c.cat, c.value) == ("locus", "between")]:
         ego, other = chunk_at(chunks, k + 1), chunk_at(chunks, k + 3)
@@ -142,11 +145,15 @@ def in_between(chunks: list[Chunk]) -> list[Chunk]:
         verb = next(before, None)
         stays = not isinstance(verb, Event) or verb.name in word_list("steady")
         stays = stays and cat_at(chunks, k - 1) != "inert"  # "the collision between us and a van"
-        mine = (ego.is_ego or ego.is_me) and value_at(chunks, k + 2) == "and"
+        stays = stays and value_at(chunks, k + 2) == "and"
+        mine = ego.is_ego or ego.is_me
+        told = isinstance(chunks[k - 1], Event) or cat_at(chunks, k - 1) == "aux"
         if stays and mine and not other.has("state", "parked"):
             one, two = ("behind", "ahead") if value_at(chunks, k + 4) == "behind" else _IN_LINE
             found[k] = Term("locus", one, chunks[k].i, chunks[k].j)
             second[k + 3] = Term("locus", two, other.i, other.i)
+        elif stays and told and not (mine or other.is_ego or other.is_me):
+            second[k + 3] = Term("locus", "between", other.i, other.i)
     return [c for k, chunk in enumerate(found) for c in (second.get(k), chunk) if c is not None]
 
 

@@ -125,12 +125,13 @@ def _place(approaches: set[Approach], row: dict[str, Any], of: str, words: Words
 
 
 def _add(approach: Approach, words: Words) -> Effect:
-    """Another vehicle does it, whom the text does not name."""
+    """Another vehicle does it, or it is done to another, whom the text does not name."""
 
     def effect(clause: Clause, context: Context) -> None:
-        basis = words(clause, context).because("by whom is not said; a car does it")
-        clause.actors = [context.draft.add(ParticipantKind.CAR, basis)]
-        context.draft.place(clause.actors[0], None, {approach}, basis)
+        basis = words(clause, context).because("the other one is not named; here it is a car")
+        added = [context.draft.add(ParticipantKind.CAR, basis)]
+        clause.actors, clause.targets = clause.actors or added, clause.targets or added
+        context.draft.place(added[0], None, {approach}, basis)
 
     return effect
 

@@ -41,16 +41,6 @@ def _moves_over(clause: Clause, _: Context) -> bool:
     return event.name not in _PASSING and any(b.i == event.i or b.j == event.j for b in told)
 
 
-def _right_after(clause: Clause, context: Context) -> bool:
-    """Whether nothing but adverbs and commas is between it and its verb."""
-    verb = clause.event.parent
-    if verb is None or verb.j > clause.event.i:
-        return False
-    how = {k for m in verb.mods for k in range(m.i, m.j)}
-    between = range(verb.j, clause.event.i)
-    return all(k in how or context.tokens[k].kind != "word" for k in between)
-
-
 FACTS: dict[str, Test] = {
     **{name: _is(name) for name in _OF_THE_EVENT},
     "supposed": lambda clause, c: any(c.lows(m.i - 1, m.i) == ["if"] for m in clause.event.subject),
@@ -61,7 +51,6 @@ FACTS: dict[str, Test] = {
     "told_of_now": lambda clause, c: (
         not c.told_in_the_past and all(m.cat == "quantity" for m in clause.event.mods)
     ),
-    "right_after": _right_after,
     "verbless": lambda clause, _: not clause.event.name,
     "crossing": lambda _, context: context.junction.crossing,
     "on_a_road": lambda _, context: context.junction.road is not None,

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TypeAlias
 
-from scegen.scenario.vocabulary import Approach, Maneuver
+from scegen.scenario.vocabulary import Maneuver
 from scegen.understanding.chunks import Event, NounPhrase, Place
 from scegen.understanding.entity import Basis
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics import lanes
 from scegen.understanding.semantics.context import Clause, Context, span
-from scegen.understanding.words.quantities import after_a_measure, quantity_at
+from scegen.understanding.words.quantities import after_a_measure
 from scegen.understanding.words.tokens import Token, low_at
 
 DIRECTIONS = {"left": Maneuver.LEFT, "right": Maneuver.RIGHT, "straight": Maneuver.STRAIGHT}
@@ -19,7 +19,6 @@ _GOALS = frozenset({"side", "leg", "access", "road", "junction"})
 """What lies at one side of a junction ("the left fork"): who goes there, or takes it, turns."""
 _OTHER = {"left": "right", "right": "left"}
 SIDEWAYS = frozenset({Maneuver.LEFT, Maneuver.RIGHT})
-_WITHIN_LANE_M = 2.0
 
 
 def directions(event: Event, tokens: list[Token]) -> dict[Maneuver, Basis]:
@@ -80,39 +79,8 @@ def _came_from(event: Event) -> set[str]:
     return {d for side in sides for d in side.dirs}
 
 
-def _without_arrow(_: Clause, context: Context) -> bool:
-    """``a plain green, no arrow``: nothing holds the oncoming traffic back."""
-    words = context.lows(0, len(context.tokens))
-    arrows = (k for k, word in enumerate(words) if word in {"arrow", "arrows"})
-    return any({"no", "without", "nor"} & set(words[max(0, k - 3) : k]) for k in arrows)
-
-
-def _from_behind(clause: Clause, context: Context) -> bool:
-    """Whether who acts is said to be behind somebody."""
-    return any(
-        (p.approaches == {Approach.BEHIND} and p.entity in clause.actors)
-        or (p.approaches == {Approach.AHEAD} and p.reference in clause.actors)
-        for p in context.draft.placements
-    )
-
-
-def _a_little_aside(clause: Clause, context: Context) -> bool:
-    """``moves 0.8 m to his left``: less than to another lane, whatever the verb."""
-    event, tokens = clause.event, context.tokens
-    places = [p.target for p in event.pps if p.value == "to" and isinstance(p.target, Place)]
-    sides = [(d, place.j) for place in places for d in place.dirs]
-    sides += [(t.value, t.j) for t in event.dirs]
-    named = {side for side, j in sides if tokens[j : j + 1] and tokens[j].low != "of"}
-    measured = (m for m in event.mods if (m.cat, m.value) == ("quantity", "length"))
-    lengths = [q.exact.high for m in measured if (q := quantity_at(tokens, m.i)) is not None]
-    return bool({"left", "right"} & named) and any(m < _WITHIN_LANE_M for m in lengths)
-
-
 FACTS: dict[str, Callable[[Clause, Context], bool]] = {
-    "a_little_aside": _a_little_aside,
     "drives_along": lambda clause, _: _drives_along(clause.event),
-    "from_behind": _from_behind,
-    "no_arrow": _without_arrow,
     "turns_across": lambda clause, c: (
         Maneuver(c.across) in directions(clause.event, c.tokens)  # across oncoming traffic
     ),

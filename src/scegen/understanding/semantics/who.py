@@ -181,6 +181,7 @@ NAMED: dict[str, Who] = {
     "pullers": lambda clause, _: [
         e for e in clause.drivers if Maneuver.OVERTAKE not in e.maneuvers
     ],
+    "foremost": lambda clause, c: _in_phrases("between")(clause, c)[:1],
     "hiders": _hiders,
     "screens": lambda clause, c: [e for e in _IN_THE_WAY(clause, c) if e not in clause.actors],
     "driven_up_to": met.driven_up_to,
