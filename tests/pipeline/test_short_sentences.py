@@ -36,6 +36,8 @@ SENTENCES = (
     "The ego drives at 50 km/h and turns left at a crossroads, where it hits a standing car.",
     "The ego, at 50 km/h, approaches a stationary truck and brakes at a TTC of 3 s but hits it.",
     "A car at 90 km/h behind the ego, at 60 km/h, brakes 20 m behind it and hits it.",
+    "The ego changes to the left lane in front of a car that drives at 80 km/h 20 m behind it.",
+    "At a T-junction the truck ahead, at 55 km/h, brakes hard.",
     "Head-on: ego 50 km/h, car 50 km/h, 50 % overlap.",
 )
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from scegen.scenario.acts import WhenMeasure
 from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.hazards import HAZARDS
@@ -83,8 +85,23 @@ def _speed(functional: FunctionalScenario, participant: Participant) -> Range:
         # Who drives in line with the ego may be as slow as that is said to be.
         in_line = participant.approaches & {Approach.AHEAD, Approach.BEHIND}
         low, default = (min(low, pace.low), min(default, pace.high)) if in_line else (low, default)
+    if share is ordinary:  # nobody drives away from who follows
+        default = max([default, *_followed_mps(functional, participant)])
+        high = max(high, default)
     reason = f"{reason}, limit {limit:.4g} m/s"
     return _before_acts(functional, participant, (low, high, default, reason))
+
+
+def _followed_mps(functional: FunctionalScenario, participant: Participant) -> Iterator[float]:
+    """How fast those are said to be, as seen from the ego, whom it follows."""
+    ego = functional.ego
+    behind = participant.approaches == {Approach.BEHIND}
+    for ahead in functional.participants:
+        leads = (
+            ahead is ego if behind else participant is ego and ahead.approaches == {Approach.AHEAD}
+        )
+        if leads and ahead.speed_mps is not None:
+            yield ahead.speed_mps.low
 
 
 def _before_acts(functional: FunctionalScenario, participant: Participant, usual: Range) -> Range:
