@@ -329,7 +329,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
         Definition(
             "turns left (where traffic keeps left, right) through oncoming traffic without a light "
             "of its own; caused by who turns, whoever is the ego",
-            "a left turn that meets nobody who comes towards it; `failure_to_yield`, which is not "
+            "a left turn that meets nobody who comes towards it; a U-turn; `failure_to_yield`, not "
             "said beside it for the same turn",
             "the ego turns left across an oncoming truck",
         ),
@@ -399,7 +399,8 @@ HAZARDS: dict[HazardKind, HazardRow] = {
             "takes the way of one who has priority, or cuts it off at a junction",
             "`unprotected_left_turn` for a left turn before oncoming traffic, "
             "`red_light_running` at a red light; a conflict of which nobody says who is wrong",
-            "a van ignores the stop sign; a bus pulls out of its stop right before the ego",
+            "a van ignores the stop sign; a bus pulls out of its stop, or a car makes a U-turn, "
+            "right before the ego",
         ),
         causes=(Party.CROSSING, Party.OTHER, Party.EGO),
         moves=Motion.ALONG,
