@@ -33,12 +33,14 @@ def functionals(draw):
     kind, arms = draw(st.sampled_from(JUNCTIONS))
     side = draw(st.sampled_from(["right", "right", "left"]))
     number = draw(st.integers(2, 4 if arms < 4 else 3))
+    exits = kind == "roundabout"  # elsewhere they are refused
+    maneuvers = [words for words in MANEUVERS if exits or "exit_1" not in words]
     participants = [
         Participant(
             id=f"car_{index}",
             role="other" if index else "ego",
             kind=draw(st.sampled_from(["car", "car", "car", "van"])),
-            maneuvers=draw(st.sampled_from(MANEUVERS)),
+            maneuvers=draw(st.sampled_from(maneuvers)),
             approaches=draw(st.sampled_from(APPROACHES)) if index else (),
             entries=draw(st.sampled_from([(), (), (), (0,), (0, arms - 1)])),
         )

@@ -105,7 +105,6 @@ _OWN = {
 
 
 _OPEN = {
-    "at the stop line of a side road": "the line is read, not the sign that goes with it",
     "a row of parked cars": "they are parked; the strip for them is left to the road",
     "in the acceleration lane": "a place in that lane asks for no ramp",
     "a deer in the lane": "who reads makes it a participant, which may run",

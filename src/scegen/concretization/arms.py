@@ -20,6 +20,7 @@ from scegen.concretization.amounts import implied
 from scegen.concretization.aside import over_by_m
 from scegen.concretization.deeds import stand
 from scegen.concretization.drafts import DriveDraft
+from scegen.concretization.encounters import ahead_on_arm
 from scegen.concretization.meetings import STRUCTURAL, Meeting
 from scegen.concretization.profile import Sort
 from scegen.concretization.setup import Setup, require_room
@@ -71,7 +72,7 @@ def _goes_aside(scene: Setup, draft: DriveDraft, causing: set[str]) -> bool:
 
     Who turns suddenly does so where its way bends; with no bend, it turns the wheel all the same.
     """
-    if draft.lane_changes or blocking_m(scene, draft) or draft.stands:
+    if draft.lane_changes or blocking_m(scene, draft) or draft.stands or _passes_by(scene, draft):
         return False
     changes = changes_before_turning(scene.functional, draft.drive)
     if changes or draft.drive.maneuver in SIDEWAYS:
@@ -79,6 +80,15 @@ def _goes_aside(scene: Setup, draft: DriveDraft, causing: set[str]) -> bool:
     heading = draft.path.heading_rad
     turns = HazardKind.SUDDEN_TURN in scene.kinds_by(draft.id)
     return draft.id in causing and not (turns and abs(heading - heading[0]).max() > _BEND_RAD)
+
+
+def _passes_by(scene: Setup, draft: DriveDraft) -> bool:
+    """Whether it "overtakes" only who is parked, or reverses into its way: in its own lane."""
+    ahead = ahead_on_arm(scene, draft)
+    drives = any(o.drive.beside is None and o.drive.reverses is None for o in ahead)
+    arms = {draft.drive.entry, draft.drive.exit}
+    there = bool(ahead) or any(s.motion.arm in arms for s in scene.stands.values())
+    return draft.drive.maneuver is Maneuver.OVERTAKE and there and not drives
 
 
 def _leaves_lane(kind: HazardKind) -> bool:

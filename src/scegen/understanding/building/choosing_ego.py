@@ -10,8 +10,13 @@ from scegen.understanding.lexicon import word_list
 
 _ALONG = frozenset({Approach.AHEAD, Approach.BEHIND, Approach.OPPOSITE})
 _SIDES = frozenset({Approach.LEFT, Approach.RIGHT})
-_TO_ITSELF = frozenset({HazardKind.LOSS_OF_CONTROL, HazardKind.SWERVING, HazardKind.OBSTACLE,
-                        HazardKind.SPEEDING, HazardKind.SLOW_DRIVING})  # fmt: skip
+_SIDEWAYS = _ALONG | _SIDES
+"""A single vehicle "from the left" is seen by somebody; of two, each may see the other."""
+_ENDANGERS = frozenset({HazardKind.CUT_IN, HazardKind.HARD_BRAKING, HazardKind.STOPPING,
+                        HazardKind.ONCOMING_LANE, HazardKind.REVERSING,
+                        HazardKind.OVERTAKING})  # fmt: skip
+"""What one vehicle does to another, which a text need not name."""
+_TO_ITSELF = frozenset({HazardKind.LOSS_OF_CONTROL, HazardKind.SWERVING, HazardKind.OBSTACLE})
 _PARTIES = ("insured", "claimant")
 """Whose case a report tells."""
 
@@ -48,7 +53,7 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
     alone = len(candidates) == 1 == len(movers) and not afoot
     whence = [p.approaches for e in candidates for p in draft.placements_of(e) if not p.reference]
     alike = whence == [whence[0]] * len(movers) if whence and not afoot else False
-    sides = _ALONG | _SIDES if alone or alike else _ALONG  # of two, each may see the other
+    sides = _SIDEWAYS if alone or alike else _ALONG  # "three cars come from the left"
     exposed = bool(afoot) or len(candidates) < len(movers)
     met = exposed and len(candidates) == 1 and _met(draft, candidates[0])
     sides = sides | {Approach.ADJACENT} if len(candidates) == 1 == len(movers) else sides
@@ -56,7 +61,7 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
     if all(_seen(draft, e, sides) for e in candidates):
         reason = "positions are given as seen from a vehicle that is not named; a car is added"
         return _added(draft, reason)
-    if alone and _endangers_unnamed(draft):
+    if alone and not crossing and _endangers_unnamed(draft):
         return _added(draft, "the only vehicle endangers another; a car is added as the ego")
     chosen, reason = _designate(draft, candidates)
     chosen.ego = True
@@ -89,7 +94,7 @@ def _endangers_unnamed(draft: Draft) -> bool:
     caused = {d.kind for d in draft.dangers}
     first, *rest = draft.entities
     known = first.labels or draft.tokens[first.basis.i or 0].low == "the"  # "the car stops"
-    return not (rest or known) and bool(caused) and not caused & _TO_ITSELF
+    return not (rest or known) and bool(caused & _ENDANGERS) and not caused & _TO_ITSELF
 
 
 def _look_on(draft: Draft, teller: Entity) -> None:

@@ -6,6 +6,7 @@ from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.clauses.located import as_the_ego_sees, loci_of
 from scegen.understanding.entity import Basis, Entity
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.egos import the_ego
 from scegen.understanding.reference.mention_words import (
     DEFAULT_COUNT,
@@ -26,6 +27,8 @@ def known(
 ) -> list[Entity]:
     """Whom a noun means of those who are known; empty if it is somebody new."""
     det = reading.det
+    if looker := _looks_on(roster, reading, mention):
+        return looker
     names = {label for label in reading.labels if label.startswith("#")}
     if names:
         same = [e for e in roster.entities if names & e.labels][:1]
@@ -53,6 +56,22 @@ def known(
     if det in {"one", "indef"}:
         return _member(roster, reading, mention, exclude)
     return _definite(roster, reading, mention, exclude)
+
+
+def _looks_on(roster: Roster, reading: Reading, mention: Mention) -> list[Entity]:
+    """``as seen by the driver``, ``in the view of one facing forward``, ``the driver's left``."""
+    before = [t.low for t in roster.tokens[max(0, mention.i - 2) : mention.i]]
+    seen_by = before[-1:] == ["by"] and reading.det == "def"
+    view = before[-1:] == ["of"] and before[0] in word_list("views_of")
+    told = [t.low for t in roster.tokens[mention.i : mention.j + _LOOKS_WITHIN]]
+    beside = told if "'s" in told else before * (before[-1:] == ["of"])
+    sides = {"left", "right"} & {*beside} and reading.det == "def"
+    forward = sides or bool({"forward", "forwards"} & {*told})  # "a driver who faces forward"
+    drive = [e for e in roster.entities if e.is_vehicle]
+    if forward and len(drive) > 1:
+        drive = [e for e in drive if e.ego]
+    alone = len(drive) == 1 and reading.driver and not reading.labels
+    return drive if alone and (seen_by or view or forward) else []
 
 
 def _other(
