@@ -112,15 +112,20 @@ def brake_for(traffic: Traffic, contact: Contact, loose: SpeedChange | None = No
 
 
 def _eases(traffic: Traffic, name: str) -> bool:
-    """Let one brake no harder than it must to be a danger, if that is open; whether it does now."""
+    """Let one brake no harder than it must to be a danger, if that is open; whether it does now.
+
+    Not one who brakes for somebody itself.
+    """
     tale, ahead = traffic.tale, traffic.movers.get(name)
+    if ahead is None:
+        return False
     awaited = {act.when.act for act in tale.acts if isinstance(act.when, AfterAct)}
-    for step in ahead.steps if ahead is not None else ():
-        open_ = step.act is None or tale.act(step.act).rate_mps2 is None
-        least = (
-            _LEAST_HARD_MPS2 if step.hazard is HazardKind.HARD_BRAKING else COMFORTABLE_BRAKING_MPS2
-        )
-        if ahead is not None and open_ and step.rate_mps2 > least and step.act not in awaited:
+    for step in ahead.steps:
+        hard = step.hazard is HazardKind.HARD_BRAKING
+        least = _LEAST_HARD_MPS2 if hard else COMFORTABLE_BRAKING_MPS2
+        said = step.act is not None and tale.act(step.act).rate_mps2 is not None
+        fixed = said or step.reacts_to is not None or step.act in awaited
+        if not fixed and step.rate_mps2 > least:
             eased = replace(step, rate_mps2=least)
             ahead.steps = [eased if each is step else each for each in ahead.steps]
             return True
