@@ -93,15 +93,14 @@ def _speed(functional: FunctionalScenario, participant: Participant) -> Range:
 
 
 def _followed_mps(functional: FunctionalScenario, participant: Participant) -> Iterator[float]:
-    """How fast those are said to be, as seen from the ego, whom it follows."""
-    ego = functional.ego
-    behind = participant.approaches == {Approach.BEHIND}
-    for ahead in functional.participants:
-        leads = (
-            ahead is ego if behind else participant is ego and ahead.approaches == {Approach.AHEAD}
-        )
-        if leads and ahead.speed_mps is not None:
-            yield ahead.speed_mps.low
+    """How fast those are said to be whom somebody follows: the ego, or, as that, who is ahead."""
+    ego, people = functional.ego, functional.participants
+    followed = (
+        [p for p in people if p.approaches == {Approach.AHEAD}] if participant is ego
+        else [ego] if participant.approaches == {Approach.BEHIND}
+        else []
+    )  # fmt: skip
+    yield from (p.speed_mps.low for p in followed if p.speed_mps is not None)
 
 
 def _before_acts(functional: FunctionalScenario, participant: Participant, usual: Range) -> Range:
