@@ -87,3 +87,18 @@ def test_what_no_field_holds_is_reported_and_not_misread(text, lost):
     scenario = read(text)
     assert lost in [u.text for u in scenario.unsupported]
     assert scenario.spacings == ()
+
+
+@pytest.mark.parametrize("measure", ["50 km/h", "20 m", "1.5 s", "30 %"])
+@pytest.mark.parametrize("sign", ["-", "\u2212"])
+def test_a_figure_below_zero_is_left_out_and_said(measure: str, sign: str) -> None:
+    """No field holds which way it points; without its sign it would be another figure."""
+    scenario = read(f"The ego hits a car at {sign}{measure}.")
+    assert [i.text for i in scenario.unsupported] == [f"{sign}{measure}"]
+
+
+def test_who_brakes_may_be_said_to_do_it_with_a_sign() -> None:
+    """``brakes with -6 m/s2`` is what ``brakes with 6 m/s2`` is."""
+    (act,) = read("The lead car brakes with -6 m/s2.").acts
+    assert act.rate_mps2 is not None
+    assert act.rate_mps2.low == act.rate_mps2.high == 6

@@ -38,6 +38,7 @@ class Figure(Clause):
         ahead = verb is not None and verb.i > self.j and any(map(self._modifies, text.mentions))
         told = () if ahead else told
         self.words_around, self.frame = numbers.measured(quantity, *told)
+        self.quantity = quantity.unsigned  # "brakes with -6 m/s²"
         sized = self.frame.role in {"long", "wide"} or (
             self.frame.role == "other" and self.frame.next
         )

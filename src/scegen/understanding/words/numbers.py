@@ -50,7 +50,8 @@ def _spoken(words: tuple[str, ...]) -> float | None:
 
 
 def _digits(text: str) -> float:
-    """``1,000`` is a thousand, ``1,5`` one and a half."""
+    """``1,000`` is a thousand, ``1,5`` one and a half, ``−5`` less than nothing."""
+    text = text.replace("−", "-")
     head, comma, tail = text.partition(",")
     if comma and len(tail) == _FRACTION_DIGITS:
         return float(head + tail)

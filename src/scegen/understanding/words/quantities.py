@@ -57,6 +57,18 @@ class Quantity:
         return [replace(self, value=p, parts=(p,), note=None, joined=False) for p in self.parts]
 
     @property
+    def unsigned(self) -> Quantity:
+        """The same without the sign of a figure below zero."""
+        if self.value.low >= 0:
+            return self
+        value, *parts = (
+            Interval(low=min(ends), high=max(ends))
+            for v in (self.value, *self.parts)
+            for ends in [(abs(v.low), abs(v.high))]
+        )
+        return replace(self, value=value, parts=tuple(parts))
+
+    @property
     def exact(self) -> Interval:
         """The range of the numbers themselves."""
         low, high = min(p.low for p in self.parts), max(p.high for p in self.parts)

@@ -115,7 +115,7 @@ _TOKEN = re.compile(
     r"|(?:\b|(?<=\d))m(?:\s?/\s?s\s?/\s?s\b|[·\s]?s\s?\^?(?:[⁻-]²|[-−]2\b))|%)"
     r"|(?P<label>[A-Za-z]{1,4}\d{1,2}(?!\w|\.\d))"
     r"|(?P<ordinal>\d{1,2}(?:st|nd|rd|th)(?!\w))"
-    r"|(?P<number>\d{1,9}(?:[.,]\d{1,6})?)"
+    r"|(?P<number>(?:(?<=[ \t(=:])[-−])?\d{1,9}(?:[.,]\d{1,6})?)"
     r"|(?P<degrees>(?<=\d)\s?°(?!\s?[CF]\b))"
     r"|(?P<neg>n['’]t\b)"
     r"|(?P<clitic>['’](?:s|re|ll|m|ve|d)?\b|(?<=s)['’])"
