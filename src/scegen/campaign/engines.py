@@ -74,9 +74,7 @@ def _by_joblib(
     workers: int, work: Callable[[T], R], tasks: Sequence[T], enlist: Callable[[int], None]
 ) -> Iterator[R]:
     from joblib import Parallel, delayed  # noqa: PLC0415 - of the extra
-    from joblib.externals.loky.process_executor import (  # noqa: PLC0415
-        TerminatedWorkerError,
-    )
+    from joblib.externals.loky.process_executor import TerminatedWorkerError  # noqa: PLC0415
 
     pool = Parallel(
         n_jobs=workers,

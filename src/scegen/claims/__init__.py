@@ -11,13 +11,4 @@ from scegen.claims.numbers import described_by
 from scegen.claims.proving import prove
 from scegen.claims.view import View, view_of
 
-__all__ = [
-    "Claim",
-    "ClaimKind",
-    "Judged",
-    "View",
-    "claims_of",
-    "described_by",
-    "prove",
-    "view_of",
-]
+__all__ = ["Claim", "ClaimKind", "Judged", "View", "claims_of", "described_by", "prove", "view_of"]

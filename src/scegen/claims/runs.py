@@ -53,13 +53,7 @@ def greatest_runs(
 
 @kernel
 def _find(
-    speed: Floats,
-    sense: float,
-    least: float,
-    most: float,
-    begin: Ints,
-    end: Ints,
-    change: Floats,
+    speed: Floats, sense: float, least: float, most: float, begin: Ints, end: Ints, change: Floats
 ) -> None:
     """Keep the greatest of every candidate's runs, the least of those kept giving way."""
     for c in range(speed.shape[0]):

@@ -30,9 +30,7 @@ P = ParamSpec("P")
 T = TypeVar("T")
 
 
-def kept(
-    function: Callable[Concatenate[View, P], T],
-) -> Callable[Concatenate[View, P], T]:
+def kept(function: Callable[Concatenate[View, P], T]) -> Callable[Concatenate[View, P], T]:
     """A function of a view, worked out only the first time that the same is asked of it."""
 
     @wraps(function)

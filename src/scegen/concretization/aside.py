@@ -7,11 +7,7 @@ from __future__ import annotations
 
 from scegen.concretization.amounts import gripped_s
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.limits import (
-    CUT_IN_HEADWAY_S,
-    LANE_CHANGE_S,
-    LATE_BRAKING_MPS2,
-)
+from scegen.concretization.limits import CUT_IN_HEADWAY_S, LANE_CHANGE_S, LATE_BRAKING_MPS2
 from scegen.concretization.meetings import STRUCTURAL, Meeting, nearest_s_m
 from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.tale import outward

@@ -29,11 +29,7 @@ from scegen.concretization.reversing import prepare_to_reverse, reverse
 from scegen.concretization.rings import cut_in_in_rings
 from scegen.concretization.roads import LONGEST_ARM_M, first_arm_m, plan
 from scegen.concretization.setup import NeedsLongerArms, Setup, acts_of
-from scegen.concretization.stationary import (
-    go_round_stationary,
-    place_stationary,
-    pull_out,
-)
+from scegen.concretization.stationary import go_round_stationary, place_stationary, pull_out
 from scegen.concretization.tale import as_meant, pace_of
 from scegen.concretization.walkers import leaves_s, place_walkers, stop_in_the_way
 from scegen.errors import MotionInfeasibleError

@@ -8,12 +8,7 @@ from typing import NamedTuple
 
 from scegen.concretization.amounts import BRAKING
 from scegen.concretization.drafts import DriveDraft
-from scegen.concretization.meetings import (
-    MeetingPoint,
-    before_front_m,
-    crossing_at,
-    meeting_point,
-)
+from scegen.concretization.meetings import MeetingPoint, before_front_m, crossing_at, meeting_point
 from scegen.concretization.others import STOPS_SHORT_M, WalkDraft, Walker, abreast_m
 from scegen.concretization.setup import Setup
 from scegen.concretization.tale import Tale, pace_of

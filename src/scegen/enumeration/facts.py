@@ -4,11 +4,7 @@ from __future__ import annotations
 
 from clorm import ConstantStr, Predicate
 
-_TYPES = {
-    "int": int,
-    "word": ConstantStr,
-    "way": tuple[int, int],
-}
+_TYPES = {"int": int, "word": ConstantStr, "way": tuple[int, int]}
 
 
 def fact(signature: str, means: str) -> type[Predicate]:

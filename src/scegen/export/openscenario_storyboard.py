@@ -50,9 +50,7 @@ def storyboard(
         if _moves(paths[p.id]) and not (external_ego and p is concrete.ego)
     ]
     act = xosc.Act(
-        "act",
-        at_once("act_starts", concrete.duration_s),
-        at_the_latest("act_over", numbers, minor),
+        "act", at_once("act_starts", concrete.duration_s), at_the_latest("act_over", numbers, minor)
     )
     for participant in moving:
         group = _maneuver_group(participant, paths, numbers, concrete.duration_s, minor)
@@ -141,11 +139,7 @@ def _maneuver_group(
 
 
 def _follow_event(
-    participant: ConcreteParticipant,
-    path: Path,
-    start: Start | None,
-    name: str,
-    duration_s: float,
+    participant: ConcreteParticipant, path: Path, start: Start | None, name: str, duration_s: float
 ) -> xosc.Event:
     """Follow the path at whatever speed: no time reference, so the vertex times do not count."""
     follow = xosc.FollowTrajectoryAction(

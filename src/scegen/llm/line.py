@@ -62,9 +62,7 @@ class Line:
             transport = ClosedTransport()
         else:
             transport = GuardedTransport(
-                key=self.key,
-                request_s=self.limits.request_s,
-                answer_bytes=self.limits.answer_bytes,
+                key=self.key, request_s=self.limits.request_s, answer_bytes=self.limits.answer_bytes
             )
         self._client = httpx2.AsyncClient(transport=transport)
         self._deadline = asyncio.get_running_loop().time() + self.limits.run_s

@@ -135,9 +135,7 @@ class Recording:
 
     def _unusable(self, why: str) -> InputError:
         return InputError(
-            why,
-            where=f"--llm-replay {self._folder}",
-            hint="record the run again with --llm-record",
+            why, where=f"--llm-replay {self._folder}", hint="record the run again with --llm-record"
         )
 
 

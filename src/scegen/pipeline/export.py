@@ -23,11 +23,7 @@ PREVIEW_FILE = "preview.png"
 
 
 def export_scenario(
-    concrete: ConcreteScenario,
-    *,
-    osc: str = "1.0",
-    ego: str = "scripted",
-    picture: bool = True,
+    concrete: ConcreteScenario, *, osc: str = "1.0", ego: str = "scripted", picture: bool = True
 ) -> dict[str, bytes]:
     """The files of one scenario folder by name.
 

@@ -34,11 +34,7 @@ if TYPE_CHECKING:  # what speaks to language models takes a tenth of a short run
     from scegen.understanding.agents import Understanding
 
 Progress = Callable[[str], None]
-_CHECKERS = {
-    CheckDepth.NONE: (),
-    CheckDepth.QUICK: QUICK_CHECKERS,
-    CheckDepth.FULL: CHECKERS,
-}
+_CHECKERS = {CheckDepth.NONE: (), CheckDepth.QUICK: QUICK_CHECKERS, CheckDepth.FULL: CHECKERS}
 
 
 @dataclass(frozen=True, slots=True)

@@ -323,10 +323,7 @@ class ConcreteScenario(CheckedModel):
                 yield f"on_contact of {participant.id} names the unknown {struck.participant!r}"
 
     def changed(
-        self,
-        people: Iterable[ConcreteParticipant],
-        changes: Iterable[Change] = (),
-        **more: object,
+        self, people: Iterable[ConcreteParticipant], changes: Iterable[Change] = (), **more: object
     ) -> ConcreteScenario:
         """The scenario with these participants in place of its own, and what is told of that."""
         told = (*self.provenance, *changes)

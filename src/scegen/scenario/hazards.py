@@ -292,10 +292,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
         causes=(Party.CROSSING, Party.OTHER, Party.EGO),
         moves=Motion.ACROSS,
         then=Arrangement.AHEAD,
-        needs={
-            Case.PLAIN_ROAD: (Arrangement.TOGETHER,),
-            Case.ANYWHERE: (Arrangement.MERGE,),
-        },
+        needs={Case.PLAIN_ROAD: (Arrangement.TOGETHER,), Case.ANYWHERE: (Arrangement.MERGE,)},
     ),
     HazardKind.OVERTAKING: HazardRow(
         Definition(
@@ -404,10 +401,7 @@ HAZARDS: dict[HazardKind, HazardRow] = {
         ),
         causes=(Party.CROSSING, Party.OTHER, Party.EGO),
         moves=Motion.ALONG,
-        needs={
-            Case.PLAIN_ROAD: (Arrangement.TOGETHER,),
-            Case.ANYWHERE: (Arrangement.CLASH,),
-        },
+        needs={Case.PLAIN_ROAD: (Arrangement.TOGETHER,), Case.ANYWHERE: (Arrangement.CLASH,)},
         breaks=RoadRule.RIGHT_OF_WAY,
     ),
     HazardKind.REVERSING: HazardRow(

@@ -24,10 +24,7 @@ def run(kind: str, source: str, target: str) -> None:
     config.set_config_param("InputFile", source)
     result = Result()
     result.register_checker_bundle(
-        name=constants.BUNDLE_NAME,
-        description=kind,
-        version=constants.BUNDLE_VERSION,
-        summary="",
+        name=constants.BUNDLE_NAME, description=kind, version=constants.BUNDLE_VERSION, summary=""
     )
     result.set_result_version(version=constants.BUNDLE_VERSION)
     main.run_checks(config, result)

@@ -41,11 +41,7 @@ RULES: tuple[Rule, ...] = (
     check_paths,
     check_objects,
 )
-CONVENTIONS: tuple[Rule, ...] = (
-    check_ego,
-    check_trajectory_shapes,
-    check_trajectory_starts,
-)
+CONVENTIONS: tuple[Rule, ...] = (check_ego, check_trajectory_shapes, check_trajectory_starts)
 """What our own scenarios keep besides; remarks on those of others."""
 
 

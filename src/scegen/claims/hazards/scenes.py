@@ -45,10 +45,7 @@ def occlusions(concrete: ConcreteScenario) -> list[tuple[str, str, str]]:
 
 
 def scene_of(
-    concrete: ConcreteScenario,
-    paths: Mapping[str, Path],
-    focus: Sequence[Pair],
-    friction: float,
+    concrete: ConcreteScenario, paths: Mapping[str, Path], focus: Sequence[Pair], friction: float
 ) -> Tables:
     """A scene with all measures for some pairs, and contacts and distances for all others.
 

@@ -29,12 +29,7 @@ from scegen.scenario.model import Interval
 from scegen.scenario.verbs import does, goes
 from scegen.scenario.vocabulary import Control, HazardKind, JunctionKind, Maneuver
 
-_CHANGES_BY = {
-    ActKind.BRAKE: -1,
-    ActKind.STOP: -1,
-    ActKind.REVERSE: -1,
-    ActKind.ACCELERATE: 1,
-}
+_CHANGES_BY = {ActKind.BRAKE: -1, ActKind.STOP: -1, ActKind.REVERSE: -1, ActKind.ACCELERATE: 1}
 SPEED_CHANGES: dict[HazardKind, int] = {
     kind: _CHANGES_BY[act]
     for kind, row in HAZARDS.items()

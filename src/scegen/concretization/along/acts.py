@@ -6,15 +6,7 @@ from collections.abc import Iterator
 
 from scegen.concretization.along.story import Story
 from scegen.concretization.amounts import implied, spelled_out
-from scegen.scenario.acts import (
-    GAINING,
-    LEAVING,
-    SLOWING,
-    Act,
-    ActKind,
-    AfterAct,
-    WhenMeasure,
-)
+from scegen.scenario.acts import GAINING, LEAVING, SLOWING, Act, ActKind, AfterAct, WhenMeasure
 from scegen.scenario.functional import Hazard
 from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
 from scegen.scenario.logical import Drive

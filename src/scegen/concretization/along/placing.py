@@ -18,11 +18,7 @@ from scegen.concretization.along.spacing import (
     place,
 )
 from scegen.concretization.along.story import FIRST_ACT_S, Story
-from scegen.concretization.limits import (
-    HOLDS_S,
-    LANE_CHANGE_S,
-    TAILGATING_HEADWAY_S,
-)
+from scegen.concretization.limits import HOLDS_S, LANE_CHANGE_S, TAILGATING_HEADWAY_S
 from scegen.concretization.profile import NEVER_S
 from scegen.concretization.tale import at_odds
 from scegen.concretization.things import THINGS_APART_M

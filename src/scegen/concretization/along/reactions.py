@@ -23,13 +23,7 @@ from scegen.concretization.answering import answer, brake_for, last_that
 from scegen.concretization.limits import REACTION_S
 from scegen.concretization.profile import SpeedChange
 from scegen.concretization.tale import at_odds
-from scegen.concretization.traffic import (
-    Contact,
-    Traffic,
-    had_ahead,
-    leaves_room,
-    runs_first_into,
-)
+from scegen.concretization.traffic import Contact, Traffic, had_ahead, leaves_room, runs_first_into
 from scegen.motion.following import STANDS_BEHIND_M, Change, brakes, goes_on
 from scegen.motion.trigger_steps import STEP_S
 from scegen.road.cross_section import CROSSWALK_WIDTH_M

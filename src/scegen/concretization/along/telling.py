@@ -20,14 +20,7 @@ from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import SLOWING, Act, ActKind, AfterStart, WhenMeasure
 from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.in_line import is_ahead_at_first, is_said_ahead
-from scegen.scenario.logical import (
-    Crossing,
-    Drive,
-    Heading,
-    LogicalScenario,
-    Standing,
-    Walking,
-)
+from scegen.scenario.logical import Crossing, Drive, Heading, LogicalScenario, Standing, Walking
 from scegen.scenario.model import Interval
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.roadway import AuxiliaryLane
