@@ -10,11 +10,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scegen.claims.boxes import Boxes
+from scegen.claims.boxes import Boxes, boxes
+from scegen.claims.series import first
 from scegen.claims.straightened import Axis, axis_of
 from scegen.claims.view import View
-from scegen.motion.batch.arrays import COS, SIN, Bools, Floats, Ints, X, Y
-from scegen.motion.batch.kernels import inner_kernel, kernel
+from scegen.motion.batch.arrays import Bools, Floats, Ints
+from scegen.motion.batch.kernels import inner_kernel
 from scegen.road import build_network
 from scegen.road.cross_section import CROSSWALK_MIDDLE_M, median_half_m
 from scegen.road.geometry import Pose
@@ -76,8 +77,7 @@ class Arm:
 
         All steps where it never is.
         """
-        ahead_m, places = view.body(name).centre_ahead_m, np.full(view.count, along_m)
-        return _first_along(view.laid, view.index[name], ahead_m, self.line, places)
+        return first(self.place(boxes(view, name))[0] > np.full(view.count, along_m)[:, None])
 
     @property
     def line(self) -> Line:
@@ -96,20 +96,6 @@ class Arm:
     def lane_in_m(self, number: int) -> float:
         """Offset of the middle of a lane that leads in, to the left of the centre line; from 1."""
         return self.inward * (self.inner_m + (number - 0.5) * self.lane_width_m)
-
-
-@kernel
-def _first_along(tracks: Floats, who: int, ahead_m: float, line: Line, along_m: Floats) -> Ints:
-    """The first step in which a body is so far along a line (c,)."""
-    found = np.full(tracks.shape[0], tracks.shape[3])
-    for c in range(tracks.shape[0]):
-        track = tracks[c, who]
-        for t in range(tracks.shape[3]):
-            x, y = track[X, t] + ahead_m * track[COS, t], track[Y, t] + ahead_m * track[SIN, t]
-            if place_on(line, x, y)[0] > along_m[c]:
-                found[c] = t
-                break
-    return found
 
 
 def arms_of(view: View) -> tuple[Arm, ...]:

@@ -13,7 +13,7 @@ from typing import Concatenate, ParamSpec, TypeVar, cast
 
 import numpy as np
 
-from scegen.claims.series import filled
+from scegen.claims.series import filled, first
 from scegen.claims.straightened import axis_of, straightened
 from scegen.claims.ways import Way
 from scegen.measures.distance import distances_at
@@ -22,7 +22,6 @@ from scegen.measures.following import gaps_behind
 from scegen.measures.grounds import Ground
 from scegen.measures.tables import Tables
 from scegen.motion.batch.arrays import SPEED, BatchTraces, Floats, Ints, S
-from scegen.motion.batch.kernels import kernel
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario
 
@@ -173,8 +172,8 @@ class View:
 
     def headway_s(self, follower: str, leader: str) -> Floats:
         """Time headway; inf where there is none (no leader, or the follower stands)."""
-        speeds = self.traces.tracks[:, self.index[follower], SPEED]
-        return _headways(self.gap_m(follower, leader), speeds)
+        gap, speed = self.gap_m(follower, leader), self.speed_mps(follower)
+        return np.where((gap >= 0.0) & (speed >= 1.0), gap / np.maximum(speed, 1.0), np.inf)
 
     def room_m(self, name: str, other: str) -> Floats:
         """Way left until the other's: the next conflict area or the other's rear; nan: neither."""
@@ -195,8 +194,7 @@ class View:
 
         All steps where it never is.
         """
-        places = np.full(self.count, place_m)
-        return _first_beyond(self.traces.tracks, self.index[name], ahead_m, places)
+        return first(self.place_m(name) + ahead_m > np.full(self.count, place_m)[:, None])
 
     def areas(self, name: str, other: str) -> list[Ground]:
         """The grounds that two use, in the order of the paths."""
@@ -217,29 +215,6 @@ class View:
     def lateral_mps2(self, name: str) -> Floats:
         """Lateral accelerations on the path."""
         return self.speed_mps(name) ** 2 * self.ways[name].curvature_1pm(self.place_m(name))
-
-
-@kernel
-def _first_beyond(tracks: Floats, who: int, ahead_m: float, place_m: Floats) -> Ints:
-    """The first step in which somebody is beyond a place, see :meth:`View.beyond` (c,)."""
-    found = np.full(tracks.shape[0], tracks.shape[3])
-    for c in range(tracks.shape[0]):
-        for t in range(tracks.shape[3]):
-            if tracks[c, who, S, t] + ahead_m > place_m[c]:
-                found[c] = t
-                break
-    return found
-
-
-@kernel
-def _headways(gaps_m: Floats, speed_mps: Floats) -> Floats:
-    """Gaps as time headways at these speeds, s (c, t)."""
-    out = np.empty_like(gaps_m)
-    for c in range(out.shape[0]):
-        for t in range(out.shape[1]):
-            gap, speed = gaps_m[c, t], abs(speed_mps[c, t])
-            out[c, t] = gap / speed if gap >= 0.0 and speed >= 1.0 else np.inf
-    return out
 
 
 def view_of(

@@ -16,8 +16,6 @@ from scegen.claims.told import Told, plain
 from scegen.claims.tolerances import TIME_S
 from scegen.claims.view import View
 from scegen.measures.grounds import Ground, grounds
-from scegen.motion.batch.arrays import Floats, S
-from scegen.motion.batch.kernels import inner_kernel, kernel
 from scegen.motion.rules.giving_way import CLEAR_S, TOGETHER_S, Duty, must_give_way
 from scegen.scenario.acts import LETS_BY
 
@@ -100,42 +98,17 @@ def _given(name: str, other: str, view: View) -> Judged:
 
     Below 0 it takes the other's way. One that does not come onto their ground gives way.
     """
-    shared = np.array(_grounds(view, name, other), dtype=np.float64).reshape(-1, 4)
-    who = view.index[name], view.index[other]
-    left_s, comes_s = _time_left_s(view.traces.tracks, *who, shared, view.dt_s, CLEAR_S)
+    found = [(np.full(view.count, np.inf), np.zeros(view.count))]
+    for ground in _grounds(view, name, other):
+        comes, goes = (view.reaches_s(name, place) for place in ground[:2])
+        they_come, they_go = (view.reaches_s(other, place) for place in ground[2:])
+        there = np.isfinite(comes) & np.isfinite(they_come)
+        with np.errstate(invalid="ignore"):
+            between = np.maximum(comes - they_go, they_come - goes - CLEAR_S)
+        found.append((np.where(there, np.maximum(between, -_ENOUGH_S), np.inf), comes))
+    left_s, comes_s = chosen(found, np.argmin)
     margin = np.minimum(left_s + TIME_S, _ENOUGH_S)
     return Judged(margin, margin, np.where(margin < _ENOUGH_S, comes_s, 0.0))
-
-
-@kernel
-def _time_left_s(
-    tracks: Floats, name: int, other: int, shared: Floats, dt_s: float, clear_s: float
-) -> tuple[Floats, Floats]:
-    """The least time between the two on any of the grounds (``Ground``) and when one comes.
-
-    Before the other, one is to be off it so much earlier (``clear_s``).
-    """
-    left_s, time_s = np.full(tracks.shape[0], np.inf), np.zeros(tracks.shape[0])
-    for c in range(tracks.shape[0]):
-        own, theirs = tracks[c, name, S], tracks[c, other, S]
-        for ground in shared:
-            comes, they_come = _reaches_s(own, ground[0], dt_s), _reaches_s(theirs, ground[2], dt_s)
-            if max(comes, they_come) == np.inf:
-                continue
-            goes, they_go = _reaches_s(own, ground[1], dt_s), _reaches_s(theirs, ground[3], dt_s)
-            between = max(comes - they_go, they_come - goes - clear_s, -_ENOUGH_S)
-            if between < left_s[c]:
-                left_s[c], time_s[c] = between, comes
-    return left_s, time_s
-
-
-@inner_kernel
-def _reaches_s(place_m: Floats, goal_m: float, dt_s: float) -> float:
-    """When a place of a series (t,) first comes up to a goal; inf: never."""
-    for t in range(place_m.shape[0]):
-        if place_m[t] >= goal_m:
-            return t * dt_s
-    return np.inf
 
 
 def _grounds(view: View, name: str, other: str) -> list[Ground]:
