@@ -138,9 +138,7 @@ def load_campaign(path: Path, changes: dict[str, Any]) -> Campaign:
             raise InputError(f"two descriptions are called {described.id!r}", where=str(path))
         seen.add(described.id)
     rules = campaign.rules and str(path.parent / campaign.rules)
-    return campaign.model_copy(
-        update={"descriptions": tuple(listed), "files": (), "rules": rules or None}
-    )
+    return campaign.but(descriptions=tuple(listed), files=(), rules=rules or None)
 
 
 def _names(value: object) -> list[str]:
@@ -151,7 +149,7 @@ def _names(value: object) -> list[str]:
 def _beside(path: Path, described: Described) -> Described:
     if described.file is None:
         return described
-    return described.model_copy(update={"file": str(path.parent / described.file)})
+    return described.but(file=str(path.parent / described.file))
 
 
 def _descriptions(file: Path) -> list[Described]:

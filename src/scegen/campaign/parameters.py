@@ -66,12 +66,12 @@ def spread(
         part = parts.setdefault(alike, drawn)
         width = (parameter.high - parameter.low) / count
         low = parameter.low + part * width
-        cut = {"low": low, "high": low + width, "default": low + width / 2}
-        kept.append(parameter.model_copy(update=cut) if width > 0.0 else parameter)
+        cut = parameter.but(low=low, high=low + width, default=low + width / 2)
+        kept.append(cut if width > 0.0 else parameter)
         if width > 0.0 and parameter.reason == "stated":
             said = Interval(low=low, high=low + width)
             functional = _said(functional, parameter.name, said, "a part of it", parameter.name)
-    return functional, logical.model_copy(update={"parameters": tuple(kept)})
+    return functional, logical.but(parameters=tuple(kept))
 
 
 def _said(

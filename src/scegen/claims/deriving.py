@@ -79,10 +79,10 @@ def claims_of(
         functional.outcome is None or functional.outcome.kind is not OutcomeKind.COLLISION
     ):
         asked = Outcome(kind=OutcomeKind.COLLISION, between=touching)
-        functional = functional.model_copy(update={"outcome": asked})
+        functional = functional.but(outcome=asked)
     if logical.acts:
         # With the sides and lanes that the text leaves open.
-        functional = functional.model_copy(update={"acts": logical.acts})
+        functional = functional.but(acts=logical.acts)
     told = Told(functional, logical, open_end=touching is None, brought_together=brought_together)
     return tuple(
         replace(claim, words=told.words(claim.field))

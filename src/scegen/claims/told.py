@@ -80,7 +80,7 @@ class Told:
     def _to_anybody(self, hazard: Hazard) -> Hazard:
         out = unconcerned(self.functional, hazard.kind, hazard.by)
         others = (p.id for p in self.people if p.id not in out and not p.parked)
-        return hazard.model_copy(update={"to": tuple(others)})
+        return hazard.but(to=tuple(others))
 
     @property
     def collides(self) -> bool:

@@ -129,7 +129,7 @@ def _way(participant: ConcreteParticipant, concrete: ConcreteScenario, network: 
     goal = max([goal, *(ends_m + _BEHIND_REVERSING_M for _, ends_m in laid.path.backwards)])
     whole = None
     if motion.reversal is None and not network.plain:
-        outer = motion.model_copy(update={"start_m": 0.0})
+        outer = motion.but(start_m=0.0)
         whole = lay_drive(network, outer, participant.id)
     return Way(
         participant=participant,

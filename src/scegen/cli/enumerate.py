@@ -168,10 +168,8 @@ def _chosen(
         scenarios = scenarios[:limit]
     certificate = logical.certificate
     if len(scenarios) < len(logical.scenarios):
-        certificate = certificate.model_copy(update={"complete": False})
-    return logical.model_copy(
-        update={"scenarios": scenarios, "notes": tuple(notes), "certificate": certificate}
-    )
+        certificate = certificate.but(complete=False)
+    return logical.but(scenarios=scenarios, notes=tuple(notes), certificate=certificate)
 
 
 def _tell(logical: LogicalSet, reached: Coverage | None) -> None:

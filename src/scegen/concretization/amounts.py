@@ -57,9 +57,8 @@ def spelled_out(acts: Sequence[Act], by_rules: Collection[str] = ()) -> tuple[Ac
     moment is not said, begins when the wait is over.
     """
     ruled = {act.id for act in acts if act.kind in LETS_BY and act.into in by_rules}
-    alone = {"when": None}  # what is set off by no act here
-    acts = [
-        act.model_copy(update=alone) if getattr(act.when, "act", None) in ruled else act
+    acts = [  # what is set off by no act here begins whenever it may
+        act.but(when=None) if getattr(act.when, "act", None) in ruled else act
         for act in acts
         if act.id not in ruled
     ]
@@ -73,15 +72,14 @@ def spelled_out(acts: Sequence[Act], by_rules: Collection[str] = ()) -> tuple[Ac
                 low=when.later_s.low + stands[when.act].low,
                 high=when.later_s.high + stands[when.act].high,
             )
-            update = {"when": when.model_copy(update={"delay_s": delay})}
-            act = act.model_copy(update=update)  # noqa: PLW2901
+            act = act.but(when=when.but(delay_s=delay))  # noqa: PLW2901
         waited = over.pop(act.participant, None)
         if waited is not None and (act.kind is ActKind.SET_OFF or act.when is None):
-            act = act.model_copy(update={"when": waited})  # noqa: PLW2901
+            act = act.but(when=waited)  # noqa: PLW2901
         if act.kind not in LETS_BY:
             found.append(act)
             continue
-        found.append(act.model_copy(update={"kind": ActKind.STOP, "duration_s": None}))
+        found.append(act.but(kind=ActKind.STOP, duration_s=None))
         on = AfterAct(act=act.id, since="end", delay_s=stands[act.id])
         later = next((a for a in acts[n + 1 :] if a.participant == act.participant), None)
         if later is not None and later.kind is ActKind.SET_OFF:

@@ -130,38 +130,28 @@ def _functional(
 ) -> FunctionalScenario:
     """What is said of those on an arm, with that as a road; without the ego the first is it."""
     whole, names = scene.functional, {draft.id for draft in line}
-    people = [whole.participant(d.id).model_copy(update={"lanes": _lanes(scene, d)}) for d in line]
-    with_ego = whole.ego.id in names
-    if not with_ego:
-        others = {"approaches": frozenset(), "role": Role.OTHER}
-        first, *rest = (person.model_copy(update=others) for person in people)
-        people = [first.model_copy(update={"role": Role.EGO}), *rest]
+    people = [whole.participant(d.id).but(lanes=_lanes(scene, d)) for d in line]
+    if whole.ego.id not in names:
+        first, *rest = (p.but(approaches=frozenset(), role=Role.OTHER) for p in people)
+        people = [first.but(role=Role.EGO), *rest]
     outcome = whole.outcome
     if outcome is not None and not ({*outcome.between} or {whole.ego.id}) <= names:
         outcome = None
     acts = tuple(_acts(scene, names))
     moments = {START, CONTACT, *(act.id for act in acts)}
-    update = {
-        "junction": whole.junction.model_copy(
-            update={
-                "kind": JunctionKind.STRAIGHT,
-                "lanes": (scene.lanes_in(line[0]),),
-                "crosswalks": frozenset(),
-            }
+    spacings = (s for s in whole.spacings if {s.participant, s.reference} <= names)
+    return whole.but(
+        junction=whole.junction.but(
+            kind=JunctionKind.STRAIGHT, lanes=(scene.lanes_in(line[0]),), crosswalks=frozenset()
         ),
-        "participants": tuple(people),
-        "relations": tuple(r for r in whole.relations if {r.participant, r.reference} <= names),
-        "objects": tuple(things),
-        "hazards": tuple(_hazards(scene, names)),
-        "acts": acts,
-        "spacings": tuple(
-            said
-            for said in whole.spacings
-            if {said.participant, said.reference} <= names and said.at in moments
-        ),
-        "outcome": outcome,
-    }
-    return whole.model_copy(update=update)
+        participants=tuple(people),
+        relations=tuple(r for r in whole.relations if {r.participant, r.reference} <= names),
+        objects=tuple(things),
+        hazards=tuple(_hazards(scene, names)),
+        acts=acts,
+        spacings=tuple(said for said in spacings if said.at in moments),
+        outcome=outcome,
+    )
 
 
 def _lanes(scene: Setup, draft: DriveDraft) -> frozenset[int]:
@@ -184,22 +174,18 @@ def _logical(
         beside = drive.maneuver in {*SIDEWAYS, Maneuver.STAY}
         changes = changes_before_turning(scene.functional, drive)
         along = Maneuver.LANE_CHANGE if changes else Maneuver.STRAIGHT
-        update = {"entry": 0, "exit": 1, "maneuver": drive.maneuver if beside else along}
-        drives.append(drive.model_copy(update=update))
+        drives.append(drive.but(entry=0, exit=1, maneuver=drive.maneuver if beside else along))
     conflicts = scene.logical.conflicts
-    return scene.logical.model_copy(
-        update={
-            "assignments": tuple(drives),
-            "hazards": functional.hazards,
-            "acts": functional.acts,
-            "conflicts": tuple(c for c in conflicts if {c.first, c.second} <= names),
-            "parameters": tuple(
-                pace_of(scene.functional, scene.logical, draft.id).model_copy(
-                    update=dict.fromkeys(("low", "high", "default"), draft.speed_mps)
-                )
-                for draft in line
-            ),
-        }
+    return scene.logical.but(
+        assignments=tuple(drives),
+        hazards=functional.hazards,
+        acts=functional.acts,
+        conflicts=tuple(c for c in conflicts if {c.first, c.second} <= names),
+        parameters=tuple(
+            pace_of(scene.functional, scene.logical, draft.id).but(low=mps, high=mps, default=mps)
+            for draft in line
+            for mps in (draft.speed_mps,)
+        ),
     )
 
 
@@ -212,7 +198,7 @@ def _hazards(scene: Setup, names: set[str]) -> Iterator[Hazard]:
         row, leaves = HAZARDS[hazard.kind], _leaves_lane(hazard.kind)
         together = to or not hazard.to or (leaves and Case.ONE_ARM not in row.needs)
         if by and together and (leaves or not (SLOWING | GAINING).isdisjoint(row.acts)):
-            yield hazard.model_copy(update={"by": by, "to": to})
+            yield hazard.but(by=by, to=to)
 
 
 def _acts(scene: Setup, names: set[str]) -> Iterator[Act]:

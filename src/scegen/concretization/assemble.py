@@ -54,11 +54,11 @@ def assemble(scene: Setup, seed: int) -> ConcreteScenario:
     paths = paths_of(ways)
     require_apart(concrete, paths)
     for lasts_s in (MAX_DURATION_S, LONGEST_DURATION_S):
-        traces = play(concrete.model_copy(update={"duration_s": lasts_s}), paths)
+        traces = play(concrete.but(duration_s=lasts_s), paths)
         _check_turns(traces, paths)
         duration = _duration_s(scene, traces, ways)
         if duration is not None:
-            return put_between_steps(concrete.model_copy(update={"duration_s": duration}), paths)
+            return put_between_steps(concrete.but(duration_s=duration), paths)
     raise MotionInfeasibleError(
         f"somebody has not left after {LONGEST_DURATION_S:.0f} s",
         hint="Raise the speeds or take a smaller junction.",

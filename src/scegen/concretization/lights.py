@@ -177,12 +177,10 @@ def _early_s(plan: SignalPlan, shown: _Shown) -> float:
 def shifted(plan: SignalPlan, later_s: float) -> SignalPlan:
     """The plan with everything so much later."""
     groups = tuple(
-        group.model_copy(
-            update={"green_from_s": round((group.green_from_s + later_s) % plan.cycle_s, 3)}
-        )
+        group.but(green_from_s=round((group.green_from_s + later_s) % plan.cycle_s, 3))
         for group in plan.groups
     )
-    return plan.model_copy(update={"groups": groups})
+    return plan.but(groups=groups)
 
 
 def _plan(scene: Setup, phases: tuple[int, ...]) -> SignalPlan:

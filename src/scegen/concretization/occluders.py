@@ -90,9 +90,9 @@ def hide(
 def _by_nothing(concrete: ConcreteScenario, hazard: Hazard) -> ConcreteScenario:
     """With the danger left to who else causes it: the thing that was to do so is not there."""
     people = {p.id for p in concrete.participants}
-    left = hazard.model_copy(update={"by": tuple(n for n in hazard.by if n in people)})
+    left = hazard.but(by=tuple(n for n in hazard.by if n in people))
     hazards = tuple(left if each is hazard else each for each in concrete.hazards)
-    return concrete.model_copy(update={"hazards": hazards})
+    return concrete.but(hazards=hazards)
 
 
 def _hide(
@@ -122,13 +122,11 @@ def _hide(
         reason=f"hides {name} from {observer}",
     )
     by = tuple(n for n in hazard.by if n != made.id)
-    caused = hazard.model_copy(update={"by": (*by, made.id), "to": hazard.to or (observer,)})
-    return concrete.model_copy(
-        update={
-            "objects": (*concrete.objects, made),
-            "hazards": tuple(caused if h is hazard else h for h in concrete.hazards),
-            "provenance": (*concrete.provenance, change),
-        }
+    caused = hazard.but(by=(*by, made.id), to=hazard.to or (observer,))
+    return concrete.but(
+        objects=(*concrete.objects, made),
+        hazards=tuple(caused if h is hazard else h for h in concrete.hazards),
+        provenance=(*concrete.provenance, change),
     )
 
 

@@ -100,9 +100,8 @@ def prepare_to_reverse(scene: Setup) -> None:
         if other is None:
             continue
         if draft.drive.reverses is Reverses.OUT_OF_ARM:
-            update = {"entry": other.drive.entry, "rank": other.drive.rank - 1}
             draft.from_arm = draft.drive.entry
-            draft.drive = draft.drive.model_copy(update=update)
+            draft.drive = draft.drive.but(entry=other.drive.entry, rank=other.drive.rank - 1)
         beside = draft.id == other.drive.beside or other.id == draft.drive.beside
         if same_arm(draft, other) and (beside or draft.drive.rank > other.drive.rank):
             raise MotionInfeasibleError(

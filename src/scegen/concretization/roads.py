@@ -41,7 +41,7 @@ def plan(
     limit = round(implied_limit_mps(functional), 6)
     crossed = {crossing.arm for crossing in logical.crossings}
     parameters = plan_road(
-        functional.junction.model_copy(update={"speed_limit_mps": limit}),
+        functional.junction.but(speed_limit_mps=limit),
         arm_length_m=arm_length_m,
         min_lanes=least_lanes
         or max(_min_lanes(functional, logical), lanes_to_turn_back(functional, logical)),
@@ -109,9 +109,9 @@ def _among(drive: Drive, drives: tuple[Drive, ...]) -> bool:
 
 def _with_wide_ring(parameters: RoadParameters) -> RoadParameters:
     """Two ring lanes, and the smallest ring with room for a lane change between two arms."""
-    two = parameters.model_copy(update={"ring_lanes": 2})
+    two = parameters.but(ring_lanes=2)
     for radius in _RING_RADII_M:
-        wide = two.model_copy(update={"ring_radius_m": radius})
+        wide = two.but(ring_radius_m=radius)
         try:
             network = build_network(wide)
         except RoadInfeasibleError:
@@ -131,4 +131,4 @@ def _with_fast_ring(functional: FunctionalScenario, parameters: RoadParameters) 
     if least_m <= radii_m[0]:
         return parameters
     radius_m = round(least_m + radii_m[-1] - radii_m[0], 1)
-    return parameters.model_copy(update={"ring_radius_m": min(radius_m, MAX_RING_RADIUS_M)})
+    return parameters.but(ring_radius_m=min(radius_m, MAX_RING_RADIUS_M))

@@ -83,7 +83,7 @@ def place_stationary(scene: Setup) -> None:
         # The bumper that faces the junction: the front of one that heads for it.
         away = inner + (body.front_m if towards else body.rear_m)
         filled[key] = inner + body.length_m + _BETWEEN_M
-        motion = motion.model_copy(update={"from_junction_m": round(away, 3)})
+        motion = motion.but(from_junction_m=round(away, 3))
         path = standing_path(scene.network, motion, body, name)
         scene.note(f"{name}.from_junction_m", away, "stands clear of the corner")
         scene.stands[name] = StandDraft(name, body, motion, path)

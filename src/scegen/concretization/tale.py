@@ -42,7 +42,7 @@ def as_meant(functional: FunctionalScenario, logical: LogicalScenario) -> Functi
     One made by hand may have none: there they are as described.
     """
     hazards, acts = logical.hazards or functional.hazards, logical.acts or functional.acts
-    return functional.model_copy(update={"hazards": hazards, "acts": acts})
+    return functional.but(hazards=hazards, acts=acts)
 
 
 def outward(functional: FunctionalScenario, side: Side) -> int:
@@ -63,8 +63,7 @@ def pace_of(functional: FunctionalScenario, logical: LogicalScenario, name: str)
     said = functional.participant(name).speed_mps
     if said is None or abs(said.middle - pace.default) > _ROUNDING_MPS:
         return pace
-    exact = {"low": said.low, "high": said.high, "default": said.middle}
-    return pace.model_copy(update=exact)
+    return pace.but(low=said.low, high=said.high, default=said.middle)
 
 
 def at_odds(functional: FunctionalScenario, first: str, second: str) -> bool:
@@ -111,7 +110,7 @@ class Tale:
     def blame(self, thing: Thing, hazard: Hazard) -> None:
         """Let a thing cause a danger, to whoever it lies in the way of if nobody is said to."""
         to = hazard.to or (thing.in_way_of or self.functional.ego.id,)
-        self.caused[hazard] = hazard.model_copy(update={"by": (thing.id,), "to": to})
+        self.caused[hazard] = hazard.but(by=(thing.id,), to=to)
 
     @property
     def grip_mps2(self) -> float:

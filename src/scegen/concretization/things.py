@@ -146,7 +146,7 @@ def lying_in_the_way(
             aside = [d.participant for d in logical.drives if d.maneuver in SIDEWAYS]
             names = (thing.in_way_of, *hazard.to, *acting, *aside)
             who = next((name for name in names if name in drivers), functional.ego.id)
-            found.append((hazard, thing.model_copy(update={"in_way_of": who})))
+            found.append((hazard, thing.but(in_way_of=who)))
     return found
 
 

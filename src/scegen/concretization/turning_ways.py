@@ -157,13 +157,12 @@ def with_turns(
         *turns_across(functional, logical, road),
         *_late_turns(functional, logical, road),
     ]
-    update: dict[str, object] = {}
     if turns:
-        update["turns"] = tuple(turns)
+        road = road.but(turns=tuple(turns))
     if road.kind is JunctionKind.STRAIGHT and road.u_turns:
         # Strips beside the lanes: one who turns back needs more room than the lanes.
-        update["parking_lanes"] = frozenset(arm.id for arm in road.arms)
-    return road.model_copy(update=update) if update else road
+        road = road.but(parking_lanes=frozenset(arm.id for arm in road.arms))
+    return road
 
 
 def _half_circles(

@@ -71,7 +71,7 @@ def written_phase(tale: Tale, change: SpeedChange, trigger: Trigger) -> SpeedPha
     value = round(getattr(trigger, trigger.measured), 3)
     told = any(act.id == change.act for act in tale.functional.acts)
     return SpeedPhase(
-        trigger=trigger.model_copy(update={trigger.measured: value}),
+        trigger=trigger.but(**{trigger.measured: value}),
         target_speed_mps=round(change.target_mps, 4),
         rate_mps2=round(change.rate_mps2, 4),
         hazard=change.hazard,

@@ -118,7 +118,7 @@ def careful_driver_verdict(
     the coefficient between tyre and road, None for that of the environment.
     """
     grip = friction_of(concrete.environment) if friction is None else friction
-    own = concrete.ego.model_copy(update={"on_contact": None})  # its own crash is no braking
+    own = concrete.ego.but(on_contact=None)  # its own crash is no braking
     ways = {**paths, **object_paths(concrete)}
     return _Trial(concrete.with_participant(own), ways, grip).verdict()
 
@@ -271,7 +271,7 @@ class _Trial:
             )
             for share, level in stages
         )
-        driver = ego.model_copy(update={"speed_program": ego.speed_program[:kept] + phases})
+        driver = ego.but(speed_program=ego.speed_program[:kept] + phases)
         return self.concrete.with_participant(driver)
 
     def spare_s(self, brakes_s: float, deciding: set[str], *, avoided: bool) -> float | None:

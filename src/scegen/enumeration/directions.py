@@ -40,7 +40,7 @@ def _each(
     functional: FunctionalScenario, changed: Callable[[Participant], Participant]
 ) -> FunctionalScenario:
     people = tuple(map(changed, functional.participants))
-    return functional.model_copy(update={"participants": people})
+    return functional.but(participants=people)
 
 
 _LEADS = {
@@ -76,10 +76,10 @@ def _beside_the_others(functional: FunctionalScenario) -> FunctionalScenario:
                 where=f"participants.{person.id}",
                 hint=f"Give it no other maneuver, and no lane or {lane}.",
             )
-        people.append(person.model_copy(update=update))
+        people.append(person.but(**update))
     lanes = junction.lanes or (junction.through_lanes,) * junction.arms
-    road = junction.model_copy(update={"lanes": lanes})
-    return functional.model_copy(update={"participants": tuple(people), "junction": road})
+    road = junction.but(lanes=lanes)
+    return functional.but(participants=tuple(people), junction=road)
 
 
 def lanes_told(functional: FunctionalScenario, person: Participant) -> frozenset[int]:
@@ -104,7 +104,7 @@ def _over_the_crosswalk(functional: FunctionalScenario) -> FunctionalScenario:
     crossing = {p.id for p in functional.crossers if p.maneuvers <= {Maneuver.CROSS}}
     return _each(
         functional,
-        lambda p: p.model_copy(update={"entries": p.entries or arms}) if p.id in crossing else p,
+        lambda p: p.but(entries=p.entries or arms) if p.id in crossing else p,
     )
 
 
@@ -116,7 +116,7 @@ def _entering(functional: FunctionalScenario, ego: Participant, side: Side) -> F
             where=f"participants.{ego.id}.entries",
             hint="Let it enter at arm 0, or name no side of the bend.",
         )
-    entering = ego.model_copy(update={"entries": _IN_AT})
+    entering = ego.but(entries=_IN_AT)
     return _each(functional, lambda who: entering if who.id == ego.id else who)
 
 
@@ -128,4 +128,4 @@ def _one_way(person: Participant) -> Participant:
             where=f"participants.{person.id}",
             hint="Let the road have two directions (carriageway undivided or divided).",
         )
-    return person.model_copy(update={"entries": _IN_AT})
+    return person.but(entries=_IN_AT)

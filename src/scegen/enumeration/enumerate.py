@@ -127,15 +127,13 @@ class Listing:
             whole = _certificate(self.census, self.reduction, self.arms, listed=self.seen)
         else:
             whole = self.ruled.certificate(complete=self.exhausted)
-        whole = whole.model_copy(update={"looked_at": self.assignments})
+        whole = whole.but(looked_at=self.assignments)
         if self.where is None:
             return whole
-        return whole.model_copy(
-            update={
-                "complete": self.exhausted,
-                "matching": self.listed if self.exhausted else None,
-                "method": f"{whole.method}; then those where {self.where}",
-            }
+        return whole.but(
+            complete=self.exhausted,
+            matching=self.listed if self.exhausted else None,
+            method=f"{whole.method}; then those where {self.where}",
         )
 
     @property

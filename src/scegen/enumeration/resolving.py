@@ -72,7 +72,7 @@ def _with_side(act: Act, drive: Drive, far: Container[tuple[str, str | None]]) -
     over = drive.beside_on is not None and drive.changes_to not in {None, drive.beside_on}
     over = over and (act.participant, drive.beside) not in far
     into = act.into or (drive.beside if over else None)
-    return act.model_copy(update={"side": act.side or drive.changes_to, "into": into})
+    return act.but(side=act.side or drive.changes_to, into=into)
 
 
 @dataclass(frozen=True)
@@ -96,7 +96,7 @@ def _named(scene: _View, hazard: Hazard, known: Parties) -> Hazard:
     to = to or tuple(dict.fromkeys(t.in_way_of for t in things if t.in_way_of is not None))
     out = unconcerned(scene.functional, hazard.kind, by)
     to = to or _party(scene, row.suffers, by, out, known.to)
-    return hazard.model_copy(update={"by": by, "to": to})
+    return hazard.but(by=by, to=to)
 
 
 _IN_LINE = frozenset({Party.TAILGATED, Party.LEADER, Party.FOLLOWER, Party.BESIDE})

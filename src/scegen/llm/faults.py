@@ -53,7 +53,7 @@ class Fault(FrozenModel):
 
     def named(self, *, agent: str, model: str) -> Self:
         """The same fault, of this agent and model."""
-        return self.model_copy(update={"agent": agent, "model": model})
+        return self.but(agent=agent, model=model)
 
     def in_words(self) -> str:
         """One line for a person."""

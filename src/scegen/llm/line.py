@@ -139,20 +139,18 @@ class Line:
         try:
             self.ledger.hold(most)
         except LlmError as error:
-            return done.model_copy(update={"fault": self._named(agent, error.fault)})
+            return done.but(fault=self._named(agent, error.fault))
         used = Usage()
         try:
             answer, attempts = await ask_until(send, self.limits, self._deadline, self.key)
             if isinstance(answer, Trouble):
                 used = Usage(requests=1, retries=attempts - 1)
-                return done.model_copy(
-                    update={"fault": self._named(agent, answer.fault), "usage": used}
-                )
+                return done.but(fault=self._named(agent, answer.fault), usage=used)
             # once more, now that no escape of JSON can hide the key
             dumped = ModelMessagesTypeAdapter.dump_python([answer], mode="json")[0]
             response = json.loads(blot(json.dumps(dumped), self.key))
             used = self._used(answer, expected, len(json.dumps(response["parts"])), attempts)
-            return done.model_copy(update={"response": response, "usage": used})
+            return done.but(response=response, usage=used)
         finally:
             self.ledger.settle(most, used)
 

@@ -142,7 +142,7 @@ class Session:
         for line in self._lines:
             if known := self._silent.get(line.chain):
                 again = f"not asked again: {known.message}"
-                faults.append(known.model_copy(update={"message": again}))
+                faults.append(known.but(message=again))
                 continue
             progress(f"asking {line.name}")
             asked.append(str(line.name))

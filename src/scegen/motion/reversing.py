@@ -125,8 +125,9 @@ def _into_arm(
             where=who,
             hint="Choose another arm or lane, or let it back up on its own way.",
         )
-    update = {"exit": arm, "exit_lane": exits[0], "ring_lane": None, "lane_changes": ()}
-    inwards = motion.model_copy(update={**update, "reversal": None})
+    inwards = motion.but(
+        exit=arm, exit_lane=exits[0], ring_lane=None, lane_changes=(), reversal=None
+    )
     stretches, _ = walk_route(network, inwards, who)
     last = stretches[-1]
     if last.start_m + setback_m > last.end_m:

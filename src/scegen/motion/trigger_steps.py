@@ -82,10 +82,10 @@ def _clear(
             changes.append(
                 Change(parameter=name, by="rounding", before=limit, after=middle, reason=_REASON)
             )
-            trigger = trigger.model_copy(update={trigger.measured: middle})
-        program.append(phase.model_copy(update={"trigger": trigger}))
+            trigger = trigger.but(**{trigger.measured: middle})
+        program.append(phase.but(trigger=trigger))
         after = step
-    return participant.model_copy(update={"speed_program": tuple(program)})
+    return participant.but(speed_program=tuple(program))
 
 
 def _fires(values: Array, limit: float, after: int, *, rises: bool) -> int | None:

@@ -45,7 +45,7 @@ def make_one(
     """
     wanted = functional
     if target == COLLISION and functional.outcome is None:  # asked for, so nobody brakes for it
-        wanted = functional.model_copy(update={"outcome": Outcome(kind=OutcomeKind.COLLISION)})
+        wanted = functional.but(outcome=Outcome(kind=OutcomeKind.COLLISION))
     concrete = concretize(wanted, scenario, seed=seed)
     raising = raise_danger(
         functional, concrete, target, seed, progress, session, solutions=solutions

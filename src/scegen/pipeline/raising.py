@@ -99,7 +99,7 @@ def raise_danger(
         raising.skipped[name] = f"no more than {len(found)} that differ were found"
     for number, (made, proof) in enumerate(found, start=1):
         name = concrete.name if number == 1 else f"{concrete.name[:96]}-{number}"
-        raising.concretes.append(made.model_copy(update={"name": name}))
+        raising.concretes.append(made.but(name=name))
         raising.proofs[name] = proof
         if proof.changed:
             raising.firsts[name] = concrete

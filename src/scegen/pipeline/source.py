@@ -96,16 +96,14 @@ def recounted(logical: LogicalSet) -> LogicalSet:
     listed, sizes = len(logical.scenarios), sum(s.class_size for s in logical.scenarios)
     misfit = sizes > again.total or (listed == again.count and sizes != again.total)
     matching = None if claimed.matching is None else min(claimed.matching, again.count)
-    certificate = again.model_copy(
-        update={
-            "matching": matching,
-            "complete": claimed.complete and not misfit and listed == (matching or again.count),
-            "looked_at": claimed.looked_at and min(claimed.looked_at, again.total),
-        }
+    certificate = again.but(
+        matching=matching,
+        complete=claimed.complete and not misfit and listed == (matching or again.count),
+        looked_at=claimed.looked_at and min(claimed.looked_at, again.total),
     )
     notes = list(logical.notes)
     if (claimed.total, claimed.count) == (again.total, again.count):
-        certificate = certificate.model_copy(update={"method": claimed.method})
+        certificate = certificate.but(method=claimed.method)
     else:
         notes.append(
             f"The file claims {counted(claimed.count, 'scenario')} of "
@@ -117,7 +115,7 @@ def recounted(logical: LogicalSet) -> LogicalSet:
             f"The class sizes in the file add up to {sizes:,}; there are {again.total:,} "
             "assignments."
         )
-    return logical.model_copy(update={"certificate": certificate, "notes": tuple(notes)})
+    return logical.but(certificate=certificate, notes=tuple(notes))
 
 
 def _as_path(argument: str) -> Path | None:

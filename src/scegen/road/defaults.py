@@ -43,7 +43,7 @@ def plan_road(
     lanes = junction.lanes or (1,) * junction.arms
     limit = junction.speed_limit_mps or usual_limit_mps(junction)
     if bend is not None:
-        junction = junction.model_copy(update={"speed_limit_mps": limit})
+        junction = junction.but(speed_limit_mps=limit)
         radius = bend.radius_at_m(limit)
         arc_m = radius * radians(abs(bend.turn_deg(limit)))
         arm_length_m = max(arm_length_m, ceil(arc_m / 2) + _BESIDE_BEND_M)

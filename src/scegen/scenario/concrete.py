@@ -327,7 +327,7 @@ class ConcreteScenario(CheckedModel):
     ) -> ConcreteScenario:
         """The scenario with these participants in place of its own, and what is told of that."""
         told = (*self.provenance, *changes)
-        return self.model_copy(update={"participants": tuple(people), "provenance": told} | more)
+        return self.but(participants=tuple(people), provenance=told, **more)
 
     def with_participant(self, fresh: ConcreteParticipant) -> ConcreteScenario:
         """The scenario with this version of a participant in place of its own."""

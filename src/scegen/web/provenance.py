@@ -38,7 +38,7 @@ def confirmed(scenario: FunctionalScenario, field: str) -> FunctionalScenario:
         else item
         for item in scenario.evidence
     )
-    return scenario.model_copy(update={"evidence": evidence})
+    return scenario.but(evidence=evidence)
 
 
 def _from_hand(field: str, reason: str) -> Evidence:

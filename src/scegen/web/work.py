@@ -74,8 +74,10 @@ class Work(Choice):
         if new is None:
             return
         if old is not None:
-            kept = {"description": old.description, "unsupported": old.unsupported}
-            new = new.model_copy(update=kept | {"evidence": carried_over(old, new)})
+            evidence = carried_over(old, new)
+            new = new.but(
+                description=old.description, unsupported=old.unsupported, evidence=evidence
+            )
         self.take(new)
 
     def forget(self, name: str) -> None:

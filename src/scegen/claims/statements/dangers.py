@@ -119,7 +119,7 @@ def _happens(told: Told, hazard: Hazard, view: View) -> Judged:
     by = tuple(doors.get(name, name) for name in hazard.by)
     kind = _judged_as(told, hazard)
     if (by, kind) != (hazard.by, hazard.kind):
-        hazard = hazard.model_copy(update={"by": by, "kind": kind})
+        hazard = hazard.but(by=by, kind=kind)
     margin, time_s = decisive(view, hazard)
     return Judged(margin, margin, time_s)
 

@@ -25,9 +25,8 @@ def all_acts(story: Story) -> list[Act]:
     """The acts of those along the road; implied ones come after those that are said."""
     told = [_when_so_near(story, a) for a in spelled_out(story.functional.acts, story.runners)]
     # Where there is no junction, one who turns swerves.
-    turned = {"kind": ActKind.SWERVE}
     own = (act for act in told if act.participant in story.runners)
-    acts = [a.model_copy(update=turned) if a.kind is ActKind.TURN else a for a in own]
+    acts = [a.but(kind=ActKind.SWERVE) if a.kind is ActKind.TURN else a for a in own]
     acts = [act for act in acts if act.kind in _ALONG]
     for hazard in story.functional.hazards:
         if hazard.kind is HazardKind.OVERTAKING:
@@ -44,7 +43,7 @@ def all_acts(story: Story) -> list[Act]:
     # Who passes another and stays out passes on the side to which it changes lanes.
     sides = {d.participant: d.changes_to for d in story.logical.drives}
     unsaid = {a.id for a in acts if a.kind is ActKind.OVERTAKE and a.side is None}
-    acts = [a.model_copy(update={"side": sides.get(a.participant)}) if a.id in unsaid else a
+    acts = [a.but(side=sides.get(a.participant)) if a.id in unsaid else a
             for a in acts]  # fmt: skip
     return list(_from_rest(acts))
 
@@ -60,7 +59,7 @@ def _when_so_near(story: Story, act: Act) -> Act:
         begins = one.at == act.id and one.since == "begin"
         if begins and frozenset({one.participant, one.reference}) in tied:
             told = {n: getattr(one, n) for n in ("measure", "participant", "reference", "value")}
-            return act.model_copy(update={"when": WhenMeasure(**told)})
+            return act.but(when=WhenMeasure(**told))
     return act
 
 
@@ -71,11 +70,11 @@ def _out_of_its_bay(story: Story, name: str, acts: list[Act]) -> list[Act]:
     on = next((act for act in own if act.kind is ActKind.SET_OFF), None)
     if on is None:
         on = implied("on", name, name, ActKind.SET_OFF)
-        on = on.model_copy(update={"when": aside.when if aside is not None else None})
+        on = on.but(when=aside.when if aside is not None else None)
     out = aside or implied("out", name, name, ActKind.CHANGE_LANE, side=story.inwards)
     rolls = Interval(low=ROLLS_S, high=ROLLS_S)
     then = AfterAct(act=on.id, since="begin", delay_s=rolls)
-    out = out.model_copy(update={"kind": ActKind.CHANGE_LANE, "when": then})
+    out = out.but(kind=ActKind.CHANGE_LANE, when=then)
     first = acts.index(own[0]) if own else 0
     before, after = acts[:first], acts[first:]
     return [*before, on, out, *(act for act in after if act.id not in {on.id, out.id})]
@@ -98,11 +97,11 @@ def _from_rest(acts: list[Act]) -> Iterator[Act]:
                 # So that it moves aside when it is said to.
                 early = when.later_s.low - ROLLS_S
                 sooner = Interval(low=early, high=early)
-                yield on.model_copy(update={"when": when.model_copy(update={"delay_s": sooner})})
+                yield on.but(when=when.but(delay_s=sooner))
             else:
-                yield on.model_copy(update={"when": when or later})
+                yield on.but(when=when or later)
                 then = AfterAct(act=on.id, since="begin", delay_s=rolls)
-                act = act.model_copy(update={"when": then})  # noqa: PLW2901
+                act = act.but(when=then)  # noqa: PLW2901
         yield act
 
 
@@ -121,7 +120,7 @@ def _passing_first(story: Story, hazard: Hazard, acts: list[Act]) -> list[Act]:
         before = implied("pass", who, who, ActKind.OVERTAKE, into=into)
         if slows:
             then = AfterAct(act=before.id, since="end")
-            act = act.model_copy(update={"when": then})  # noqa: PLW2901
+            act = act.but(when=then)  # noqa: PLW2901
         return [*acts[:n], before, act, *acts[n + 1 :]]
     return acts
 

@@ -182,7 +182,7 @@ def _written(
     _note(story)
     # Those by a thing or a door with that named.
     caused = tuple(
-        hazard.model_copy(update={"by": tuple(door_of(n) if n in doors else n for n in hazard.by)})
+        hazard.but(by=tuple(door_of(n) if n in doors else n for n in hazard.by))
         for hazard in story.hazards
     )
     concrete = written_scenario(

@@ -192,10 +192,9 @@ def road_of(road: RoadParameters, frame: Frame) -> RoadParameters:
         )
     lengths = {frame.ego_arm: near, 1 - frame.ego_arm: beyond}
     arms = tuple(
-        arm.model_copy(update={"length_m": round(lengths[arm.id] - frame.gaps_m[arm.id], 3)})
-        for arm in road.arms
+        arm.but(length_m=round(lengths[arm.id] - frame.gaps_m[arm.id], 3)) for arm in road.arms
     )
-    return road.model_copy(update={"arms": arms})
+    return road.but(arms=arms)
 
 
 def joint_m(story: Story, otherwise_m: float) -> float:
@@ -237,8 +236,7 @@ def fitted(road: RoadParameters, story: Story, joint: float) -> RoadParameters:
     if said is not None:
         return road
     length = max(road.auxiliary.length_m, needed)
-    update = {"auxiliary": road.auxiliary.model_copy(update={"length_m": length})}
-    return road.model_copy(update=update)
+    return road.but(auxiliary=road.auxiliary.but(length_m=length))
 
 
 def gaps_m(road: RoadParameters, *, by_lane: bool = False) -> tuple[float, float]:

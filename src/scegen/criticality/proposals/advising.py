@@ -88,7 +88,7 @@ def _accounted(
         first, *rest = concrete.provenance[known:] or (
             Change(parameter=change.parameter, by=change.by, reason=change.reason),
         )
-        told = first.model_copy(update={"rejected": change.rejected})
+        told = first.but(rejected=change.rejected)
         provenance = (*concrete.provenance[:known], told, *rest)
-        concrete = concrete.model_copy(update={"provenance": provenance})
+        concrete = concrete.but(provenance=provenance)
     return concrete

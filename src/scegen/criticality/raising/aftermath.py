@@ -54,13 +54,11 @@ def halted(concrete: ConcreteScenario, view: View, *, scraping: bool) -> Concret
             fired = view.traces.fired_step[0, first : first + count]
             until = view.step_of(np.array([found[1]]))[0]
             done = int(((fired >= 0) & (fired < until)).sum())
-            update = {
-                "speed_program": person.speed_program[:done],
-                "on_contact": OnContact(participant=found[0], rate_mps2=rate),
-            }
-            if scraping:
-                update["motion"] = _stopped_aside(view, person, *found)
-            made = person.model_copy(update=update)
+            made = person.but(
+                speed_program=person.speed_program[:done],
+                on_contact=OnContact(participant=found[0], rate_mps2=rate),
+                motion=_stopped_aside(view, person, *found) if scraping else person.motion,
+            )
             reason = f"comes to rest where it touches {found[0]}"
             name = f"{person.id}.on_contact.rate_mps2"
             changes.append(Change(parameter=name, by="aftermath", after=rate, reason=reason))
@@ -124,11 +122,11 @@ def _stopped_aside(view: View, who: ConcreteParticipant, other: str, time_s: flo
             part_m = float(np.sign(over_m)) * (first_m - beside_m)
             # About as sharply as before.
             length_m = change.length_m * min(part_m / over_m, 1.0) ** _SHARPLY
-            stays = {"length_m": length_m, "lane_after": lane, "offset_m": offset_m + part_m}
-            kept = (*motion.lane_changes[:number], change.model_copy(update=stays))
+            stays = change.but(length_m=length_m, lane_after=lane, offset_m=offset_m + part_m)
+            kept = (*motion.lane_changes[:number], stays)
             last = motion.lane_changes[-1].lane_after
             ends = motion.exit_lane if motion.exit_lane != last else lane
-            return motion.model_copy(update={"lane_changes": kept, "exit_lane": ends})
+            return motion.but(lane_changes=kept, exit_lane=ends)
         lane, offset_m = change.lane_after, change.offset_m
     return motion
 

@@ -149,9 +149,7 @@ def _with_phases(
     later = Travelled(participant=leader, distance_m=_rounded(goes_on_m))
     resumes = SpeedPhase(trigger=later, target_speed_mps=_rounded(speed), rate_mps2=resuming)
     phases, program = (brakes, resumes), participant.speed_program
-    braking = participant.model_copy(
-        update={"speed_program": (*program[:place], *phases, *program[place:])}
-    )
+    braking = participant.but(speed_program=(*program[:place], *phases, *program[place:]))
     told = zip(phases, (REASON, f"{REASON}; then it drives on"), strict=True)
     changes = [
         Change(parameter=f"{leader}.speed_program.{n}.{name}", by="search", after=value, reason=why)

@@ -232,8 +232,8 @@ def _fill(
 def _with_advice(proof: Proof, advised: Advised | None, *, led: bool) -> Proof:
     if advised is None:
         return proof
-    advice = advised.advice.model_copy(update={"led": led})
-    return proof.model_copy(update={"advice": advice})
+    advice = advised.advice.but(led=led)
+    return proof.but(advice=advice)
 
 
 def _solve(

@@ -225,7 +225,7 @@ def _from_outer_ends(concrete: ConcreteScenario) -> ConcreteScenario:
     One that backs out has its own place to start.
     """
     people = (
-        p.model_copy(update={"motion": p.motion.model_copy(update={"start_m": 0.0})})
+        p.but(motion=p.motion.but(start_m=0.0))
         if isinstance(p.motion, DriveMotion) and not isinstance(p.motion.reversal, BacksOut)
         else p
         for p in concrete.participants

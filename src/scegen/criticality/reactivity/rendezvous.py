@@ -118,12 +118,10 @@ def held_back(
         rate_mps2=rate,
     )
     station = round(way.laid.station_m(nearer_m), _DECIMALS)
-    waiting = participant.model_copy(
-        update={
-            "speed_mps": slow,
-            "motion": motion.model_copy(update={"start_m": station}),
-            "speed_program": (go, *participant.speed_program[join.phase :]),
-        }
+    waiting = participant.but(
+        speed_mps=slow,
+        motion=motion.but(start_m=station),
+        speed_program=(go, *participant.speed_program[join.phase :]),
     )
     since = [_since(waiting if p.id == who else p, who, nearer_m) for p in concrete.participants]
     people = [person for person in since if person is not None]
@@ -170,6 +168,6 @@ def _since(
             left = round(getattr(trigger, field) - nearer_m, _DECIMALS)
             if left < 0.0:
                 return None
-            trigger = trigger.model_copy(update={field: left})
-        phases.append(phase.model_copy(update={"trigger": trigger}))
-    return participant.model_copy(update={"speed_program": tuple(phases)})
+            trigger = trigger.but(**{field: left})
+        phases.append(phase.but(trigger=trigger))
+    return participant.but(speed_program=tuple(phases))

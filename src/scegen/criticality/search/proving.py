@@ -61,7 +61,7 @@ class Evidence:
         for place, hazard in enumerate(self.hazards):
             happens = held.get(claim_id(place, hazard.kind), hazard.happened)
             note = hazard.note if happens == hazard.happened else _AS_SAID
-            found.append(hazard.model_copy(update={"happened": happens, "note": note}))
+            found.append(hazard.but(happened=happens, note=note))
         return tuple(found)
 
     def holds(self, but: Collection[str] = ()) -> bool:

@@ -72,15 +72,13 @@ def _participant(
     if isinstance(motion, DriveMotion) and way.laid is not None:
         station = way.laid.station_m(float(made.start_m[row, i]))
         if abs(station - motion.start_m) > _NOTICED:
-            motion = motion.model_copy(update={"start_m": round(station, DECIMALS)})
+            motion = motion.but(start_m=round(station, DECIMALS))
     program = tuple(
         _phase(phase, made, row, first + n, moved_m)
         for n, phase in enumerate(participant.speed_program)
     )
     speed = _settled(participant.speed_mps, float(made.speed_mps[row, i]))
-    return participant.model_copy(
-        update={"motion": motion, "speed_mps": speed, "speed_program": program}
-    )
+    return participant.but(motion=motion, speed_mps=speed, speed_program=program)
 
 
 def _phase(
@@ -95,10 +93,11 @@ def _phase(
     if isinstance(trigger, ArrivalBelow):
         place = max(0.0, trigger.place_m - moved_m[trigger.participant])
         update["place_m"] = _settled(trigger.place_m, place)
-    fresh: dict[str, object] = {"trigger": trigger.model_copy(update=update)}
-    for name in ("target_speed_mps", "rate_mps2"):
-        fresh[name] = _settled(getattr(phase, name), float(getattr(made, name)[row, k]))
-    return phase.model_copy(update=fresh)
+    return phase.but(
+        trigger=trigger.but(**update),
+        target_speed_mps=_settled(phase.target_speed_mps, float(made.target_speed_mps[row, k])),
+        rate_mps2=_settled(phase.rate_mps2, float(made.rate_mps2[row, k])),
+    )
 
 
 def off_the_steps(time_s: float) -> float:

@@ -86,7 +86,7 @@ def scene_of(
     paths = build_paths(concrete, network)
     traces = simulate(concrete, paths, dt_s=PROOF_DT_S)
     if first and proof is not None:
-        proof = proof.model_copy(update={"claims": (), "hazards": ()})
+        proof = proof.but(claims=(), hazards=())
     return player_scene(concrete, network, traces, proof, paths=paths)
 
 
