@@ -13,8 +13,6 @@
 Messages say what is wrong, where, and what to do about it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Self

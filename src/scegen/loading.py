@@ -1,7 +1,5 @@
 """Loading a library without the large ones behind it that it is not used for here."""
 
-from __future__ import annotations
-
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager

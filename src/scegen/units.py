@@ -4,8 +4,6 @@ Factors are exact by definition (NIST SP 811, appendix B). A units library would
 load and 0.2 s to build its registry, of the 3 s that a whole run may take.
 """
 
-from __future__ import annotations
-
 from scegen.errors import VocabularyError
 
 SPEED_UNITS_MPS = {

@@ -1,7 +1,5 @@
 """The agents under test: every reading measured, recorded, paid from one budget."""
 
-from __future__ import annotations
-
 import json
 import os
 import re

@@ -1,7 +1,5 @@
 """The source paper's eleven sentences, end to end: understood, made, and passed by whom."""
 
-from __future__ import annotations
-
 import tempfile
 from collections import defaultdict
 from collections.abc import Callable, Iterator

@@ -4,8 +4,6 @@ A judge of the user's choice decides, a Python file with ``judge(facts, path)``:
 recording in the layout of esmini's CSV log and gives back (fact, expected, measured, holds).
 """
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import tempfile

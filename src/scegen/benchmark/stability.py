@@ -1,7 +1,5 @@
 """Whether reading a description again gives the same scenario, and the same judgement."""
 
-from __future__ import annotations
-
 from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any

@@ -1,7 +1,5 @@
 """Finds, wrong finds and misses by kind: precision and recall of participants and hazards."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import asdict, astuple, dataclass

@@ -1,7 +1,5 @@
 """How much of a labelled file is understood: per field, as a whole, per kind and hazard."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any

@@ -1,7 +1,5 @@
 """A suite taken out of a campaign: which scenarios, why, and their files."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import dataclass
 from pathlib import Path

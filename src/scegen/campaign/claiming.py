@@ -1,7 +1,5 @@
 """Whose a folder is: one campaign's, that of its manifest, and one command's at a time."""
 
-from __future__ import annotations
-
 import fcntl
 import platform
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """Who works: processes of this machine (joblib), or a cluster (Ray). Neither decides anything."""
 
-from __future__ import annotations
-
 import os
 import threading
 from collections.abc import Callable, Generator, Iterator, Sequence

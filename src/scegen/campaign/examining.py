@@ -1,7 +1,5 @@
 """What is wrong in a campaign's folder: anything twice, missing, or not as it was written."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Sequence
 from contextlib import suppress

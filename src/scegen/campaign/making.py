@@ -1,7 +1,5 @@
 """Making a batch of items, in one worker: the pipeline's functions one after the other, timed."""
 
-from __future__ import annotations
-
 import gc
 import os
 import tempfile

@@ -1,7 +1,5 @@
 """What a campaign is to make: RUN.yaml, or a list of descriptions with the usual answers."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator
 from pathlib import Path

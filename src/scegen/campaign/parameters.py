@@ -1,7 +1,5 @@
 """Parameters of a scenario by name: swept through values, or spread over their ranges."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from itertools import product
 from typing import Any

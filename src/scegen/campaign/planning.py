@@ -4,8 +4,6 @@ An item's key is the digest of all that decides what comes of it, and its seed i
 key: neither order nor number of descriptions, batches or workers changes anything.
 """
 
-from __future__ import annotations
-
 import json
 from collections import Counter
 from collections.abc import Iterator

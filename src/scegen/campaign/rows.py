@@ -4,8 +4,6 @@ Columns whose names begin with ``seconds`` say how long it took; all others are 
 made the row, in whatever order. Quantities have their unit at the end of their names, SI.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Mapping, Sequence
 from typing import Any

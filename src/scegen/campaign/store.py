@@ -6,8 +6,6 @@ DIR/batches/SHA256.parquet     finished work, one row a concrete scenario
 DIR/objects/ab/cdef….xosc      files of scenarios, equal ones once
 """
 
-from __future__ import annotations
-
 import json
 import os
 from collections.abc import Iterable, Iterator

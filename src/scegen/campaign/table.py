@@ -1,7 +1,5 @@
 """The rows of a campaign, asked in SQL: DuckDB over Parquet."""
 
-from __future__ import annotations
-
 import os
 from dataclasses import dataclass
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Whether a campaign's folder holds what its manifest tells, every row as it was made."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pyarrow.parquet as pq

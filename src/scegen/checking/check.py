@@ -1,7 +1,5 @@
 """All checkers on scenario folders and files."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterable, Iterator
 from pathlib import Path
 

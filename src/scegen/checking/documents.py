@@ -1,7 +1,5 @@
 """XML files of unknown origin, read safely: no entities, no network, no huge trees."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from functools import lru_cache
 

@@ -1,7 +1,5 @@
 """Other people's programs, run so that they cannot hang, fill the memory or the disk."""
 
-from __future__ import annotations
-
 import subprocess
 from collections.abc import Sequence
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Does a scenario with parameters play as the concrete scenarios that it stands for?"""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """What a scenario's files look like when they run: played by esmini, or by our own simulation."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum

@@ -10,8 +10,6 @@ short of the end or beyond it, where our simulator moves to the very end. From t
 arrival on, any place on that one step straight ahead counts as the predicted one.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field

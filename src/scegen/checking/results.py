@@ -1,7 +1,5 @@
 """What a check says: findings of rules, one result per checker, one report per folder or file."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from dataclasses import asdict, dataclass, replace
 from enum import StrEnum

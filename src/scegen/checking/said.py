@@ -1,7 +1,5 @@
 """What was said, judged on what is played: the claims of the description on a recording."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from pathlib import Path
 

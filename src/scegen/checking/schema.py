@@ -1,7 +1,5 @@
 """XSD: OpenDRIVE and OpenSCENARIO by version, with the schema files of the ASAM checkers."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from functools import lru_cache
 from pathlib import Path

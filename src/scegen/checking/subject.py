@@ -1,7 +1,5 @@
 """What is checked: a scenario folder, or single files, found and read."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Check reports as a table for the terminal."""
 
-from __future__ import annotations
-
 from collections import defaultdict
 from collections.abc import Iterable
 

@@ -1,7 +1,5 @@
 """Where on the road somebody is: how far along which arm, and in which of its lanes."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache

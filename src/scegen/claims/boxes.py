@@ -1,7 +1,5 @@
 """Bodies as seen from one another: where a box lies in another's frame, and how far is free."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

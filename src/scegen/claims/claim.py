@@ -1,7 +1,5 @@
 """A claim: one statement of a description as a predicate on what moves."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum

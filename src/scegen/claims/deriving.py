@@ -1,7 +1,5 @@
 """All claims of a scenario: every statement of its functional and its logical level."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 

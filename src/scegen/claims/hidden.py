@@ -1,7 +1,5 @@
 """Lines of sight that are cut: how long somebody is hidden from another, and until when."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

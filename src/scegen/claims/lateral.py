@@ -1,7 +1,5 @@
 """How far somebody has gone sideways: out of its line, along the arms of its way."""
 
-from __future__ import annotations
-
 from math import sqrt
 
 import numpy as np

@@ -3,8 +3,6 @@
 Whoever reads a recording sees it the same way: nothing here knows what was planned.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from scegen.claims.arms import arms_of

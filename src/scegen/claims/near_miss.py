@@ -5,8 +5,6 @@ by chance; the distances are this program's own choice. A small TTC alone says l
 so it counts only together with a distance below 2 m; so does a small headway of one who follows.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What a concrete scenario says by itself, where no description came with it."""
 
-from __future__ import annotations
-
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.junction import Junction

@@ -1,7 +1,5 @@
 """Claims judged on one movement, for files and people."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from math import isfinite
 

@@ -1,7 +1,5 @@
 """Series (c, t) over time of many candidates: when something is first so, and for how long."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from typing import TypeVar
 

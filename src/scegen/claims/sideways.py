@@ -1,7 +1,5 @@
 """When somebody begins to move sideways, one move after another, and when it no longer does."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from scegen.claims.lateral import lateral_m

@@ -5,8 +5,6 @@ therefore look at places in the frame of the road; contact and lines of sight st
 ramp is told as if its lane lay beside the others all the way.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import lru_cache
 

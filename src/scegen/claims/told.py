@@ -1,7 +1,5 @@
 """What claims are derived from: a functional scenario and one of its logical ones."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 

@@ -1,7 +1,5 @@
 """How exactly what is said must hold: beyond this, a test engineer calls it something else."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from scegen.scenario.spacings import Measure

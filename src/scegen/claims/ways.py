@@ -1,7 +1,5 @@
 """What the predicates know of the participants' ways beside the movements."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """The application: its commands, and one place where errors become messages and exit codes."""
 
-from __future__ import annotations
-
 import atexit
 import gc
 import os

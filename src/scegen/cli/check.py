@@ -1,7 +1,5 @@
 """scegen check: every checker on what was made, or on any OpenDRIVE and OpenSCENARIO file."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Annotated
 

@@ -1,7 +1,5 @@
 """scegen concretize: one logical scenario to a concrete one."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Annotated
 

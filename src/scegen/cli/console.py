@@ -1,7 +1,5 @@
 """Where words go: results to stdout or into a file, everything else to stderr."""
 
-from __future__ import annotations
-
 import json
 import sys
 from collections.abc import Callable, Iterable, Iterator

@@ -1,7 +1,5 @@
 """scegen parameterise: a scenario with parameters, and sets of values to play it with."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Annotated
 

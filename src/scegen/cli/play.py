@@ -1,7 +1,5 @@
 """scegen play: a scenario in esmini, with or without a window."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Annotated
 

@@ -1,7 +1,5 @@
 """scegen render: a scenario as moving pictures for slides and READMEs."""
 
-from __future__ import annotations
-
 from enum import StrEnum
 from pathlib import Path
 from typing import Annotated

@@ -1,7 +1,5 @@
 """scegen schema: the published JSON Schema of a level."""
 
-from __future__ import annotations
-
 from typing import Annotated, Literal
 
 import typer

@@ -1,7 +1,5 @@
 """scegen serve: the page."""
 
-from __future__ import annotations
-
 import socket
 from pathlib import Path
 from typing import Annotated

@@ -1,7 +1,5 @@
 """scegen trace: everybody's movements as a file for other tools."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Annotated
 

@@ -1,7 +1,5 @@
 """scegen understand: text to functional scenario."""
 
-from __future__ import annotations
-
 from typing import Annotated
 
 import typer

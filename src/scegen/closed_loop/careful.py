@@ -6,8 +6,6 @@ speed; a danger that it perceives for 0.4 s without a break makes it brake 0.75 
 standstill.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 import numpy as np

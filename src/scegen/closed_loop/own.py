@@ -1,7 +1,5 @@
 """Our own simulation with an ego that is driven from outside."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from scegen.closed_loop.running import State

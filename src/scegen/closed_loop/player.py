@@ -7,8 +7,6 @@ thus see it one step earlier than in our own simulation; those that look at how 
 not. The library knows one scenario at a time.
 """
 
-from __future__ import annotations
-
 import ctypes
 import os
 import tempfile

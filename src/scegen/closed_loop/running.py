@@ -1,7 +1,5 @@
 """A driver and a simulation, step by step to the end, and what the drive made of the danger."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol

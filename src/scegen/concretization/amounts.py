@@ -1,7 +1,5 @@
 """By how much: the speed at which an act ends, and how fast its speed changes on the way."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Sequence
 from math import pi, sqrt
 

@@ -1,7 +1,5 @@
 """Who would run into another brakes for it as a driver does, as late as leaves a little room."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial

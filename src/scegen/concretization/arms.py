@@ -4,8 +4,6 @@ Those of an arm on which somebody leaves its lane are a story of their own, with
 road. It is over before anybody slows down to turn.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial

@@ -3,8 +3,6 @@
 A move is told from where it is over: just before the drive slows down for its turn.
 """
 
-from __future__ import annotations
-
 from scegen.concretization.amounts import gripped_s
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import CUT_IN_HEADWAY_S, LANE_CHANGE_S, LATE_BRAKING_MPS2

@@ -1,7 +1,5 @@
 """From drafts to the concrete scenario, with its duration."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from itertools import combinations
 

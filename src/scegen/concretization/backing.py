@@ -4,8 +4,6 @@ Where it changes direction it has to stand. Simulators fire a trigger up to a st
 creeps the last bit and comes to rest within a centimetre or two.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -3,8 +3,6 @@
 Things may stand off the carriageway, off everybody's way, clear of what stands there.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from math import hypot
 

@@ -4,8 +4,6 @@ Ground that two cross is one's alone, and one of two on one line stays ahead. So
 keeps two apart is a range of differences that is taken: no contact, a headway, right of way.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from math import inf
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """From a logical scenario to numbers, step by step; the same seed gives the same numbers."""
 
-from __future__ import annotations
-
 from math import ceil
 
 import numpy as np

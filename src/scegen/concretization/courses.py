@@ -4,8 +4,6 @@ Once the start is known, a mark becomes a phase triggered by the distance travel
 hold its speed for a while and then resume, or come so long after the one before it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache

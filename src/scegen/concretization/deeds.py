@@ -1,7 +1,5 @@
 """What the text says that drives do at a junction: its acts as marks of their courses."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import takewhile

@@ -1,7 +1,5 @@
 """What is known of a scenario while its numbers are being chosen."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from math import sqrt

@@ -3,8 +3,6 @@
 Those are causes and sufferers of dangers, then all whom the ego meets.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 from scegen.concretization.drafts import DriveDraft

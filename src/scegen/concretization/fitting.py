@@ -5,8 +5,6 @@ the unknowns; what is said of spacings and triggers are equations between them. 
 outweighs staying as it was.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial

@@ -5,8 +5,6 @@ comes later stands at the line while it has red, and goes with its green. Where 
 somebody meets a light, it is laid once more around everybody, when all times are known.
 """
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from math import isfinite
 from typing import NamedTuple

@@ -11,8 +11,6 @@ careful driver (*).
 number is this program's own choice.
 """
 
-from __future__ import annotations
-
 COMFORTABLE_BRAKING_MPS2 = 2.5  # [EDM]
 COMFORTABLE_ACCELERATION_MPS2 = 2.0  # [EDM]
 HARD_BRAKING_MPS2 = (7.0, 8.0)  # well above [UN152], below the tyre's limit on dry road

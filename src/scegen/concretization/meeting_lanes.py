@@ -4,8 +4,6 @@ The outermost lane is taken where nothing is said. Where two leave by one arm an
 lanes lets them meet, one of them moves over into the other's lane behind the junction.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, partial

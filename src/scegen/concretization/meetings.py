@@ -1,7 +1,5 @@
 """Where the ways of two participants meet, and when they shall be there."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from itertools import pairwise
 from math import cos, sin

@@ -1,7 +1,5 @@
 """When acts begin and end, and how far apart two then are, while numbers are being chosen."""
 
-from __future__ import annotations
-
 from functools import partial
 
 import numpy as np

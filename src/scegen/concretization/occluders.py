@@ -6,8 +6,6 @@ the road and off everybody's way, and the one is taken from which most is hidden
 counting more.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from itertools import product
 

@@ -1,7 +1,5 @@
 """Those who cross or stand, in the making."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 

@@ -1,7 +1,5 @@
 """Amounts that no body reaches, told before anything is laid out."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from scegen.errors import MotionInfeasibleError

@@ -4,8 +4,6 @@ Who has to give way waits at its line, or slows down before it, until the other 
 that does not do, it is placed to come at another time.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from math import inf

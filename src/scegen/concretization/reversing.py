@@ -5,8 +5,6 @@ from where the two meet: it stands so far off that it is up to speed for a while
 stops short of the other's way, or is across it as both touch.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import replace
 from math import copysign, hypot, sin

@@ -1,7 +1,5 @@
 """Cutting in in a ring: across to the outer lane just before one's exit, or to the inner one."""
 
-from __future__ import annotations
-
 from scegen.concretization.aside import change_length_m, close_before
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.encounters import culprits, victims

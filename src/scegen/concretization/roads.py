@@ -1,7 +1,5 @@
 """The road that a logical scenario needs, beyond what its description says."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 from scegen.concretization.limits import LATERAL_MPS2

@@ -1,7 +1,5 @@
 """Everything about one scenario at a junction while its numbers are being chosen."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 

@@ -8,8 +8,6 @@ is in the lane close before the one in whose way it pulls out; that one brakes l
 pace that it has by then.
 """
 
-from __future__ import annotations
-
 from math import pi
 
 import numpy as np

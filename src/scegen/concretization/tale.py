@@ -1,7 +1,5 @@
 """What both levels above tell, for those who choose the numbers."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 

@@ -1,7 +1,5 @@
 """Everybody in time while numbers are chosen: who would run into whom, and with what room."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations, permutations

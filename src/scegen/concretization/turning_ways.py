@@ -5,8 +5,6 @@ turn different ways, the sides on which one turns across the other's nose: that 
 tells of. And who turns back, or turns late behind another.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import asdict
 from itertools import combinations

@@ -1,7 +1,5 @@
 """Those who go across: how fast, where on their way they are met, and what makes them step off."""
 
-from __future__ import annotations
-
 from collections import Counter
 from math import sin, sqrt
 from typing import NamedTuple

@@ -4,8 +4,6 @@ Every word, act, danger and meeting is a wish with a weight; a choice is anythin
 where somebody drives. Earlier options are taken where all else is equal.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product

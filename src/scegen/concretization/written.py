@@ -3,8 +3,6 @@
 Triggers are read off the scenario as it was laid, so that it also reacts.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Sequence
 

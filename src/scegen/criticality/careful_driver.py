@@ -23,8 +23,6 @@ perceivable danger and touches the ego only because it braked (a follower that d
 named, but does not decide.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum

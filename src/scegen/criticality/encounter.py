@@ -1,7 +1,5 @@
 """The moment that a scenario is about where nothing else is said: when the ego meets another."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 

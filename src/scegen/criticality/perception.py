@@ -16,8 +16,6 @@ what never becomes a danger. At a step, another is a perceivable danger to the e
 Indicators, brake lights, signals and rules of priority are not looked at.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from math import inf
 

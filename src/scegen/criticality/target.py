@@ -5,8 +5,6 @@ of several measures (``claims.near_miss``), after a lead-in (``search.lead_in``)
 touches anybody, and nothing more.
 """
 
-from __future__ import annotations
-
 import re
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """What the solver tells: atoms of answer sets, and assumptions about them, as clorm types."""
 
-from __future__ import annotations
-
 from scegen.enumeration.facts import fact
 
 Enters = fact("enters(id: word, arm: int)", "A vehicle enters at an arm.")

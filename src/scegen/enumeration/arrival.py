@@ -1,7 +1,5 @@
 """Who arrives first at an arm, and who travels beside whom."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from itertools import pairwise, product

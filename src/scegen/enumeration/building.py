@@ -1,7 +1,5 @@
 """From a solution to a logical scenario: names, ranks, conflicts, parameter ranges."""
 
-from __future__ import annotations
-
 from collections import Counter
 from typing import Any
 

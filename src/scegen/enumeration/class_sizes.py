@@ -4,8 +4,6 @@ Thousands of scenarios are asked about, so what depends on a few participants al
 multiset of choices is one integer: digit k counts those who made choice number k.
 """
 
-from __future__ import annotations
-
 import math
 from collections import Counter
 from collections.abc import Callable, Sequence

@@ -1,7 +1,5 @@
 """Where two participants meet, and who of them waits in a circle."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from collections.abc import Set as AbstractSet
 from functools import lru_cache

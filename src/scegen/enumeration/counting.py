@@ -8,8 +8,6 @@ Rotations divide by Burnside's lemma: the number of classes is the mean number o
 rotation fixes.
 """
 
-from __future__ import annotations
-
 import math
 from collections import Counter
 from collections.abc import Hashable

@@ -1,7 +1,5 @@
 """What dangers, acts and the outcome say of the ways of those concerned, as statements."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from scegen.enumeration import predicates as p

@@ -1,7 +1,5 @@
 """Who may enter or cross where, as the road itself has it: a bend, one way, a ramp, a crosswalk."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 from scegen.errors import InfeasibleError

@@ -1,7 +1,5 @@
 """Every distinct scenario of a description: listing, streaming, counting."""
 
-from __future__ import annotations
-
 import gc
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager

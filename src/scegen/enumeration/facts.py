@@ -1,7 +1,5 @@
 """How facts for the solver are declared: by their signature, as clorm types."""
 
-from __future__ import annotations
-
 from clorm import ConstantStr, Predicate
 
 _TYPES = {"int": int, "word": ConstantStr, "way": tuple[int, int]}

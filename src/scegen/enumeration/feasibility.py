@@ -1,7 +1,5 @@
 """The problem of a description with as few presumptions given up as it takes."""
 
-from __future__ import annotations
-
 from scegen.enumeration import answers as a
 from scegen.enumeration import predicates as p
 from scegen.enumeration.problem import Problem, build_problem

@@ -1,7 +1,5 @@
 """Ways of those who are not in the traffic: over an arm, or along it, standing or walking."""
 
-from __future__ import annotations
-
 from typing import Any, NamedTuple
 
 from clorm import Predicate

@@ -1,7 +1,5 @@
 """Where parked vehicles stand: not enumerated, but following from where the others enter."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterable, Mapping
 
 from scegen.scenario.acts import LEAVING, ActKind

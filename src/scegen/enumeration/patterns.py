@@ -4,8 +4,6 @@ A vehicle that chooses among the moves 1 and 3 is x1 + x3; vehicles that choose 
 multiply; the coefficient of a monomial is the number of assignments with that pattern.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Mapping
 

@@ -1,7 +1,5 @@
 """Cars at a neutral junction, for counts without a description."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from scegen.errors import InputError

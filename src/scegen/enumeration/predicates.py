@@ -1,7 +1,5 @@
 """What the solver is told: facts about the junction, the words, and symmetry, as clorm types."""
 
-from __future__ import annotations
-
 from scegen.enumeration.facts import fact
 
 # --- the junction -------------------------------------------------------------------------

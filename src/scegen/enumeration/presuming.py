@@ -4,8 +4,6 @@ By the table of hazards and the words alone. A presumption gives way where nothi
 causes and who suffers in the end is resolved in each scenario (resolving.py).
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

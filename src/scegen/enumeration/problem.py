@@ -1,7 +1,5 @@
 """A functional scenario made ready for the solver: facts, derived tables, entry policy."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Running the encodings: facts in, facts out, the same order every time."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from enum import StrEnum
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Ranges of the parameters that concretization chooses from, as data."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from scegen.scenario.acts import WhenMeasure

@@ -1,7 +1,5 @@
 """From answer sets to solutions: every atom is understood once, however often it comes back."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 

@@ -4,8 +4,6 @@ By the table of hazards: the first party that is found there. This is the one pl
 decided; what follows reads it in the logical scenario.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Container, Sequence
 from dataclasses import dataclass
 

@@ -19,8 +19,6 @@ article of each. Where it leaves a choice:
 * An emergency vehicle counts as any other, unless it is on call (VC 34.1; see `conflicts`).
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import lru_cache

@@ -6,8 +6,6 @@ that they allow are listed without any reduction; those of one class are then on
 class_size counts the allowed alone. So the class sizes still add up to the total.
 """
 
-from __future__ import annotations
-
 from collections.abc import Hashable
 from dataclasses import dataclass
 from itertools import islice

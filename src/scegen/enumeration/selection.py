@@ -6,8 +6,6 @@ that show a way, or two ways of two participants together, for the first time; t
 show what is rarest so far.
 """
 
-from __future__ import annotations
-
 from collections import defaultdict
 from collections.abc import Hashable, Iterator
 from heapq import heappop, heapreplace

@@ -1,7 +1,5 @@
 """From a problem to solutions: which encodings and facts each question takes."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import pairwise
 

@@ -3,8 +3,6 @@
 Every statement keeps the words for it, so that a contradiction can be told to the user.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 
 from clorm import Predicate

@@ -5,8 +5,6 @@ A rotation counts if it carries everything said, and with distinct arms the road
 itself. Mirror images never count: they swap the sides of the road.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Hashable, Set
 from dataclasses import dataclass

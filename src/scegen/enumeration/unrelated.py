@@ -4,8 +4,6 @@ The solver lists the states of all others. How many ways there are to add the un
 from the room that a state leaves, so it is worked out once for equal room.
 """
 
-from __future__ import annotations
-
 import math
 from collections import Counter
 

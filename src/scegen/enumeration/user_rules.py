@@ -7,8 +7,6 @@ or none at all (a constraint); choices, scripts, and heads that redefine the voc
 # mypy does not follow clorm and clingo.
 # mypy: allow-subclassing-any
 
-from __future__ import annotations
-
 import difflib
 from collections.abc import Iterator
 from dataclasses import dataclass

@@ -5,8 +5,6 @@ that lie close together, a curve may beside that swing over another way and back
 are in each other's way as much as at any crossing.
 """
 
-from __future__ import annotations
-
 from functools import lru_cache
 from itertools import combinations, pairwise
 

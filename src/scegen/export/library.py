@@ -5,8 +5,6 @@ to read files, neither of which is done here; but it would load both at once, a 
 that a whole run may take.
 """
 
-from __future__ import annotations
-
 from importlib import import_module
 from types import ModuleType
 

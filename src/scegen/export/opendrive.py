@@ -4,8 +4,6 @@ Written through scenariogeneration's low-level classes with our own geometry: it
 adjustment is not used. Road, lane and junction ids are those of the network.
 """
 
-from __future__ import annotations
-
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable
 from copy import deepcopy

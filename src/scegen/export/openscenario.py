@@ -5,8 +5,6 @@ and only constructs that both understand are used. Version 1.2 is its twin for c
 rules start there.
 """
 
-from __future__ import annotations
-
 import xml.etree.ElementTree as ET  # builds, never parses
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager

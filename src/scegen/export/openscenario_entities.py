@@ -1,7 +1,5 @@
 """Participants and objects as OpenSCENARIO entities: named blueprints with their true boxes."""
 
-from __future__ import annotations
-
 from scegen.export.library import xosc
 from scegen.export.openscenario_text import xml_text
 from scegen.scenario.bodies import Body

@@ -4,8 +4,6 @@ scenario_runner takes the sun's intensity as 1 − cloudiness (0 to 1) and rain 
 heaviest; from version 1.2 on the standard has lux and mm/h, which the 1.2 file follows.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from math import radians
 

@@ -1,7 +1,5 @@
 """The numbers of a storyboard: those of a concrete scenario, or what parameters make of them."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 

@@ -1,7 +1,5 @@
 """Scenarios with parameters: their declarations, and files of values to play them with."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 

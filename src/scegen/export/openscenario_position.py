@@ -1,7 +1,5 @@
 """Places in the world, as OpenSCENARIO positions."""
 
-from __future__ import annotations
-
 import xml.etree.ElementTree as ET  # builds, never parses
 from math import pi
 

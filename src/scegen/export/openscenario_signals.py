@@ -5,8 +5,6 @@ TrafficSignalStateAction with one word a lamp, which scenario_runner refuses: so
 file of their own.
 """
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 from scegen.export.library import xosc

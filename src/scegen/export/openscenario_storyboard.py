@@ -1,7 +1,5 @@
 """Who stands where at the start, and what everybody does: the storyboard."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from scegen.export.expressions import written

@@ -1,7 +1,5 @@
 """Free text on its way into an OpenSCENARIO file."""
 
-from __future__ import annotations
-
 import re
 
 LONGEST_TEXT = 2000

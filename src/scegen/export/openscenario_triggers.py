@@ -4,8 +4,6 @@ A phase can only fire once its predecessor has: the state of the predecessor's e
 beside the phase's own condition.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Signs and lights at the entries of a junction, as OpenDRIVE signals."""
 
-from __future__ import annotations
-
 import xml.etree.ElementTree as ET  # builds, never parses
 from math import pi
 

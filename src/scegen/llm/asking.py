@@ -1,7 +1,5 @@
 """One agent's conversation: a question, a typed answer, corrections where it is not valid."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import TypeVar
 

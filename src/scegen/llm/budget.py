@@ -1,7 +1,5 @@
 """The most that a run may use, in tokens, in money, or both."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """The HTTP client under every provider: bounded answers, no redirects, keys blotted out."""
 
-from __future__ import annotations
-
 import httpx2
 
 from scegen.llm.keys import blot

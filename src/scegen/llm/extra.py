@@ -1,7 +1,5 @@
 """The extra that brings the libraries which speak to language models."""
 
-from __future__ import annotations
-
 from importlib.util import find_spec
 
 from scegen.errors import MissingToolError

@@ -1,7 +1,5 @@
 """What can go wrong between us and a model, as data: it is recorded, replayed and reported."""
 
-from __future__ import annotations
-
 from enum import StrEnum
 from typing import Self
 

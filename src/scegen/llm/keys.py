@@ -1,7 +1,5 @@
 """Keys: read from the environment, handed to the connection, and blotted out everywhere else."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from scegen.errors import InputError

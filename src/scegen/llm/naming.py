@@ -1,7 +1,5 @@
 """Model names: ``provider:model``, several with commas as a chain of fallbacks."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from urllib.parse import urlsplit
 

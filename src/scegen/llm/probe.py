@@ -1,7 +1,5 @@
 """The connection test: one small question to a model, through all that a real run goes through."""
 
-from __future__ import annotations
-
 import asyncio
 import time
 from collections.abc import Mapping

@@ -1,7 +1,5 @@
 """What every prompt is made of: short files, lists of vocabulary, and text kept apart as data."""
 
-from __future__ import annotations
-
 import hashlib
 from collections.abc import Iterable, Mapping
 from enum import StrEnum

@@ -1,7 +1,5 @@
 """A provider's model object, over our own HTTP client."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Callable
 from typing import cast

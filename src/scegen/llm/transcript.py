@@ -5,8 +5,6 @@ A folder holds ``run.json`` (the description, the models, the version of the pro
 No header is ever written, so no key is.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Sequence
 from pathlib import Path

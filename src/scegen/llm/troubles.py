@@ -1,7 +1,5 @@
 """Exceptions of the libraries as faults: which kind, in which words, and whether they may pass."""
 
-from __future__ import annotations
-
 import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass

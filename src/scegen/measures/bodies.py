@@ -1,7 +1,5 @@
 """What the measures need to know of the participants' bodies, as arrays."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from math import hypot
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """Participants' oriented boxes: their frames over time, and the box at one moment."""
 
-from __future__ import annotations
-
 from math import sqrt
 from typing import NamedTuple
 

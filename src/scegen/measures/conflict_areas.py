@@ -8,8 +8,6 @@ there the "area" is the merge point: entered by the front, left by the rear. Whe
 follows the other from a start on, there is none.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from math import inf
 from typing import NamedTuple

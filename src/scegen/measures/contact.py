@@ -7,8 +7,6 @@ Validity: exact for rectangles at the sampled steps. Between steps a contact can
 1 % at 0.05 s, so proofs use 0.01 s or less. Contact counts as such from the first shared point.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from scegen.measures.bodies import body_of

@@ -7,8 +7,6 @@ overlap without holding each other's corners ("+") are found by the separating a
 Validity: exact for rectangles at the sampled steps.
 """
 
-from __future__ import annotations
-
 from math import inf, sqrt
 
 import numpy as np

@@ -8,8 +8,6 @@ Validity: undefined (nan) without a leader in the corridor. The leader is taken 
 ``required_braking`` also sees its braking. inf with no gap left.
 """
 
-from __future__ import annotations
-
 from math import nan
 
 import numpy as np

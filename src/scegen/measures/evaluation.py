@@ -4,8 +4,6 @@ Every candidate is simulated into the same small scratch memory and measured whi
 processor's cache; whole movements of thousands of candidates would not fit.
 """
 
-from __future__ import annotations
-
 from math import nan
 from typing import NamedTuple
 

@@ -4,8 +4,6 @@ Paths are fixed, so the question is answered once per pair and position of the l
 per candidate and step.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from math import nan
 from typing import NamedTuple

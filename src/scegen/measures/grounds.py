@@ -1,7 +1,5 @@
 """The grounds that two ways share, of any two: worked out once for as long as the ways are kept."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from scegen.measures.bodies import body_table

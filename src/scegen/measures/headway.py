@@ -9,8 +9,6 @@ Validity: undefined (nan) without a leader in the corridor and below 0.1 m/s. Sa
 the leader's speed.
 """
 
-from __future__ import annotations
-
 from math import inf, nan
 
 from scegen.motion.batch.arrays import SPEED, Floats

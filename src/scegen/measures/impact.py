@@ -10,8 +10,6 @@ Validity: undefined (nan) without contact. No rebound, no rotation, no sliding a
 an upper estimate for glancing impacts. Velocities are those of the reference points.
 """
 
-from __future__ import annotations
-
 from math import sqrt
 
 from scegen.measures.boxes import VX, VY

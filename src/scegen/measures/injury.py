@@ -16,8 +16,6 @@ riders an upper estimate, for occupants of heavy vehicles a stand-in. Fit to ran
 to predict outcomes. Undefined (nan) without contact.
 """
 
-from __future__ import annotations
-
 from math import exp
 
 from scegen.measures.bodies import Body

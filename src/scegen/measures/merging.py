@@ -1,7 +1,5 @@
 """Where two ways become one, if they do not only cross."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from scegen.measures.boxes import Way

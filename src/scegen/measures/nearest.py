@@ -4,8 +4,6 @@ Points of a line follow one another: after one that is far off, as many are pass
 to come nearer.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from scegen.motion.batch.arrays import Floats, Ints

@@ -11,8 +11,6 @@ Validity: flat world, every box as high as the sight line; one occluder at a tim
 together is not seen as hidden. 0 and nan without occlusion; sight is inf if it never comes.
 """
 
-from __future__ import annotations
-
 from math import inf, nan
 
 import numpy as np

@@ -12,8 +12,6 @@ never enters, or the first never leaves. Times are interpolated within steps, wh
 because speed is constant within a step.
 """
 
-from __future__ import annotations
-
 from math import nan
 
 from scegen.motion.batch.arrays import Floats, S

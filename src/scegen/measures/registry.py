@@ -1,7 +1,5 @@
 """The measures as data: name, unit, which direction is worse, and of whom."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from enum import StrEnum
 

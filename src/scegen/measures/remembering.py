@@ -4,8 +4,6 @@ Speeds change from one candidate or trial to the next, ways hardly ever: an answ
 nothing but paths, bodies and numbers is kept by their content.
 """
 
-from __future__ import annotations
-
 from collections import OrderedDict
 from collections.abc import Callable
 from functools import wraps

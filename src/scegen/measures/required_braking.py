@@ -16,8 +16,6 @@ braking as well: which of the pair ought to brake is for the reader to choose. i
 be avoided by braking.
 """
 
-from __future__ import annotations
-
 from math import inf
 
 import numpy as np

@@ -1,7 +1,5 @@
 """All that the measures know beside the movements: bodies, pairs, lanes shared, conflict areas."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from itertools import combinations
 from typing import NamedTuple

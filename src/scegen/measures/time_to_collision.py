@@ -9,8 +9,6 @@ misses contacts on it. Weak at crossings: of runs below 1.5 s, 18 % never came w
 together with PET or distance.
 """
 
-from __future__ import annotations
-
 from math import inf
 
 import numpy as np

@@ -4,8 +4,6 @@ The parts of such a road have their lanes side by side, so a change of lane may 
 A lane that begins or ends is used where it has its full width; on a ramp there is one lane.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import partial
 

@@ -4,8 +4,6 @@ Its body is turned with its way, so that it lies along the vehicle at first and 
 in the end. Numbers are those of an ordinary car's front door.
 """
 
-from __future__ import annotations
-
 from math import cos, pi, radians, sin
 
 import numpy as np

@@ -15,8 +15,6 @@ gap, so that Gipps's driver is exactly one phase of a speed program for every ch
 and needs no integration: simulators and players carry out the same.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The ground that bodies cover: their boxes from above."""
 
-from __future__ import annotations
-
 import numpy as np
 import shapely
 

@@ -6,8 +6,6 @@ what is typical: asphalt dry 0.65-1.0, wet 0.4-0.65, in heavy rain 0.4-0.55, sno
 teachers for about 50 km/h; all as quoted in secondary sources).
 """
 
-from __future__ import annotations
-
 from scegen.scenario.environment import Environment, RoadSurface, Weather
 
 GRAVITY_MPS2 = 9.81

@@ -5,8 +5,6 @@ strips beside the outermost lane have the numbers after it, outwards. In a ring,
 innermost lane.
 """
 
-from __future__ import annotations
-
 from collections.abc import Set as AbstractSet
 
 from scegen.errors import MotionInfeasibleError

@@ -1,7 +1,5 @@
 """The paths of a concrete scenario's participants."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from functools import lru_cache
 

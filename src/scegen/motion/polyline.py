@@ -1,7 +1,5 @@
 """Stretches to polyline: where a drive's vertices lie and which way they point."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise

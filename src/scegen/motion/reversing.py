@@ -6,8 +6,6 @@ the very line that it would take forwards, as a real one does. Positions along t
 the while; where the direction changes, the path has a cusp.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from math import ceil, pi
 

@@ -5,8 +5,6 @@ move it; it goes through the junction by the route of the lane in which it arriv
 ``ring_lane``, its first ring lane); ``exit_lane`` is the lane in which it ends.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from scegen.errors import MotionInfeasibleError

@@ -5,8 +5,6 @@ conditions are looked at. An action whose condition holds for the first time at 
 state from the next step on. At most one phase of a participant fires in a step.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import astuple, dataclass, field
 from math import hypot, inf, radians

@@ -1,7 +1,5 @@
 """Where those stand and walk who do not drive through the junction."""
 
-from __future__ import annotations
-
 from math import pi, radians
 
 import numpy as np

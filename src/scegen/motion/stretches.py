@@ -5,8 +5,6 @@ of the lane in which the vehicle enters each road, counted from the outer end of
 ``d`` is the offset from a road's reference line to the driver's left (m).
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 

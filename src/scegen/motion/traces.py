@@ -1,7 +1,5 @@
 """Movements as a tidy table: one row for each time and participant."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from scegen.motion.model import Trace

@@ -5,8 +5,6 @@ polyline; after a bend that is some millimetres short. A trigger that a step onl
 then fires a step later in one of two simulators, and a step at 5 m/s is a quarter of a metre.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 import numpy as np

@@ -1,7 +1,5 @@
 """How a folder was made, kept in it, so that the same files can be made again, byte for byte."""
 
-from __future__ import annotations
-
 import shlex
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields

@@ -1,7 +1,5 @@
 """A concrete scenario as files: road, scenario, the numbers themselves and a picture."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 
 from scegen.checking.subject import CONCRETE_FILE, ROAD_FILE, SCENARIO_FILE

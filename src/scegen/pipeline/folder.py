@@ -1,7 +1,5 @@
 """The output folder: written whole or not at all, and never over somebody's own edits."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import shutil

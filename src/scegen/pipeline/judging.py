@@ -1,7 +1,5 @@
 """What is said of a finished scenario: the careful driver's verdict, reactivity."""
 
-from __future__ import annotations
-
 from dataclasses import asdict, dataclass
 from math import isfinite
 from typing import Any

@@ -1,7 +1,5 @@
 """What ``generate`` and ``trace`` may be told."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from enum import StrEnum
 

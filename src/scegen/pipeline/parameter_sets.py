@@ -1,7 +1,5 @@
 """A scenario with parameters: which one is meant, its files, and sets of values to play it with."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field

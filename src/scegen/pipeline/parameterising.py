@@ -5,8 +5,6 @@ them by the very functions by which the search makes its candidates. For a file 
 called with symbols; for a set of values, with the values.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from math import ceil, floor

@@ -1,7 +1,5 @@
 """Choosing logical scenarios: by number, by name, or the ones with most conflicts."""
 
-from __future__ import annotations
-
 import re
 
 from scegen.enumeration.choosing.ranking import richest_first

@@ -1,7 +1,5 @@
 """The scenario that a folder stands for: its own, or one of those that generate made in it."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from scegen.errors import InputError

@@ -1,7 +1,5 @@
 """Playing a made scenario in the reference player, with or without a window."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 from pathlib import Path

@@ -1,7 +1,5 @@
 """A concrete scenario as a moving picture: animated GIF, video, or one picture of it."""
 
-from __future__ import annotations
-
 import tempfile
 from importlib.util import find_spec
 from pathlib import Path

@@ -1,7 +1,5 @@
 """What the user hands in: a sentence, or a file of any level."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The movements of a scenario, by our own simulation or by esmini, as a file for other tools."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from scegen.checking.environment import ESMINI_HINT, esmini

@@ -1,7 +1,5 @@
 """Participants from above, to scale: who they are, which way they look, whether they brake."""
 
-from __future__ import annotations
-
 import numpy as np
 import shapely
 from numpy.typing import NDArray

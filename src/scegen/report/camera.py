@@ -1,7 +1,5 @@
 """Which part of the world each picture of a film shows: one for all, or what follows the ego."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

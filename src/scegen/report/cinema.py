@@ -1,7 +1,5 @@
 """Films as files: animated GIF with Pillow, video with ffmpeg."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator
 from importlib import import_module
 from io import BytesIO

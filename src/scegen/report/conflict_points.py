@@ -1,7 +1,5 @@
 """Where ways meet on a sketch: a ring where they cross, a diamond where they merge."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from functools import lru_cache
 from math import dist

@@ -1,7 +1,5 @@
 """The proof of danger as tables: every hazard and every measure, before and after the search."""
 
-from __future__ import annotations
-
 from scegen.report.tables import Row, Table, change_row
 from scegen.report.words import plain
 from scegen.scenario.proof import Advice, HazardProof, Proof

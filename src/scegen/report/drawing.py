@@ -4,8 +4,6 @@ What comes from outside is escaped here and nowhere else; numbers are rounded, s
 picture is the same text everywhere.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from html import escape
 

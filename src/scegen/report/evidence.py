@@ -1,7 +1,5 @@
 """The description cut into spans, each with what was understood from it."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """A concrete scenario as moving pictures: a view that stays or follows, labels that stay put."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 

@@ -4,8 +4,6 @@ Where there are many, those with the same moves are folded into a group of which
 and the groups are paged: a picture of a height that people look at.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from scegen.errors import InputError

@@ -1,7 +1,5 @@
 """The report: one HTML file that opens offline, the moving picture first, every step behind it."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from math import isfinite
 from urllib.parse import quote

@@ -1,7 +1,5 @@
 """The careful driver's verdict and the reactivity of a scenario, in words and rows."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from scegen.criticality.careful_driver import DELAY_S, RISK_EVALUATION_S, Outcome, Verdict

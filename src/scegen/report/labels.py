@@ -1,7 +1,5 @@
 """Places for labels: beside what they name, inside the picture, never on one another."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from math import cos, hypot, pi, sin

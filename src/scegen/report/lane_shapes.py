@@ -1,7 +1,5 @@
 """Lanes, marks and crosswalks of a road network as point lists (m), ready to be drawn."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from math import ceil, copysign, sqrt

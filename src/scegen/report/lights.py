@@ -1,7 +1,5 @@
 """What the lights show: the same in still and moving pictures."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from scegen.road.geometry import Pose

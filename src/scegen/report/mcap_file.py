@@ -5,8 +5,6 @@ Topics: ``/road`` (lane edges, once) and ``/scene`` (boxes) as ``foxglove.SceneU
 ``/participants/<id>`` as JSON for plots. Times count from 0.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Mapping
 from importlib import import_module

@@ -1,7 +1,5 @@
 """Pages of one file that open offline: template, style and script, which are all our own."""
 
-from __future__ import annotations
-
 import json
 from base64 import b64encode
 from hashlib import sha256

@@ -3,8 +3,6 @@
 Coordinates are those of a tile: its centre is (0, 0), x to the right, y up, in pixels.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from math import asin, atan2, cos, hypot, pi, radians, sin
 

@@ -4,8 +4,6 @@ Where traffic goes along a road, panels as wide as the picture lie one below the
 stretch, the start, the closest approach. Elsewhere the closest approach stands beside the whole.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 
 import numpy as np

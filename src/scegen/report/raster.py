@@ -1,7 +1,5 @@
 """Pictures as PNG, with letters of our own: the same picture gives the same bytes everywhere."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 from pathlib import Path
 

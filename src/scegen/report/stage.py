@@ -1,7 +1,5 @@
 """A concrete scenario ready to be drawn, and the two panels of it: the whole, and one moment."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 

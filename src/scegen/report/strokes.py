@@ -1,7 +1,5 @@
 """What a tile is drawn with: arrows, walks, boxes, badges and the marks of conflicts."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 from scegen.report.drawing import Style, area, circle, letters, line

@@ -1,7 +1,5 @@
 """A concrete scenario as the rows of the report's tables."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from scegen.report.words import (

@@ -4,8 +4,6 @@ Participants keep apart for the colour-blind too (a test simulates them); shape,
 pattern tell the same again, so that no picture rests on colour alone.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass, field, fields
 from typing import Any

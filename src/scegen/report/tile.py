@@ -1,7 +1,5 @@
 """One logical scenario as a picture: junction, arrows, number, symbolic moves."""
 
-from __future__ import annotations
-
 from itertools import groupby
 from math import cos, degrees, sin
 

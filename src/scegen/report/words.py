@@ -1,7 +1,5 @@
 """Scenario values in words, for captions and tables."""
 
-from __future__ import annotations
-
 from scegen.scenario.concrete import (
     ArrivalBelow,
     AtTime,

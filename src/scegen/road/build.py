@@ -1,7 +1,5 @@
 """From parameters to a road network."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 
 from scegen.road.crossing import build_crossing

@@ -1,7 +1,5 @@
 """Lanes of an arm road, from the centre line outwards: driving, parking, sidewalk."""
 
-from __future__ import annotations
-
 from collections.abc import Set as AbstractSet
 from math import radians
 

@@ -1,7 +1,5 @@
 """Crossings: arms that meet in one junction, joined lane by lane."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from math import pi, radians
 

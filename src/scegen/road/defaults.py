@@ -1,7 +1,5 @@
 """Road parameters for a functional junction, where the description leaves them open."""
 
-from __future__ import annotations
-
 from collections.abc import Set as AbstractSet
 from math import ceil, radians
 

@@ -1,7 +1,5 @@
 """Checks of road parameters that need no geometry."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 from scegen.errors import RoadInfeasibleError

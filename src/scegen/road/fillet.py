@@ -1,7 +1,5 @@
 """Curves from one lane to another: lines and arcs, joined in position and heading."""
 
-from __future__ import annotations
-
 from math import acos, atan2, cos, inf, isclose, pi, sin, sqrt, tan
 
 from scegen.road.geometry import Pose, ReferenceLine, Segment

@@ -6,8 +6,6 @@ lane. Ways from one entry never cross: its lanes and their targets, both counted
 side, are in the same order.
 """
 
-from __future__ import annotations
-
 from bisect import bisect_left
 from dataclasses import dataclass
 

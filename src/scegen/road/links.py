@@ -1,7 +1,5 @@
 """Connecting roads: one lane through a junction, linked at both ends; routes over them."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

@@ -18,8 +18,6 @@ Conventions, which export and motion rely on:
   lanes, joins the arm roads, and one more the ramp, whose lane is the one beyond the outermost.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property

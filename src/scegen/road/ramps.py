@@ -6,8 +6,6 @@ direction goes straight on, and another leads from or to the ramp. Where the arm
 lane, its inner end is at the origin, and the ramp's lane goes on in it.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from math import acos, radians, sin
 

@@ -4,8 +4,6 @@ Each arm has a small junction that spans the angle ``half_rad`` to either side o
 between neighbouring junctions the ring is a road.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from math import cos, pi, radians, sin, tan

@@ -1,7 +1,5 @@
 """Roundabouts: a small junction per arm, joined by the roads of the ring."""
 
-from __future__ import annotations
-
 from itertools import product
 from math import cos, pi, radians, sin
 

@@ -1,7 +1,5 @@
 """Lane sections: the parts of a road over which it has the same lanes."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from itertools import pairwise
 

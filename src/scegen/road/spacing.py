@@ -1,7 +1,5 @@
 """How far from the centre each arm of a crossing ends."""
 
-from __future__ import annotations
-
 from math import cos, radians, sin, tan
 
 from scegen.errors import RoadInfeasibleError

@@ -1,7 +1,5 @@
 """A straight road, or a bend: two arms joined end to end."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from math import pi, radians, tan
 

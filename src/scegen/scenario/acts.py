@@ -1,7 +1,5 @@
 """Acts: what participants do, in the order of the text, by how much, and what sets it off."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 

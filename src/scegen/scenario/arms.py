@@ -4,8 +4,6 @@ Arms 0..n-1 run counter-clockwise. A vehicle that enters at arm e with the symbo
 leaves at (e + d) mod n; d = 1 is the rightmost turn, d = 0 the U-turn.
 """
 
-from __future__ import annotations
-
 from functools import lru_cache
 
 from scegen.scenario.junction import Junction

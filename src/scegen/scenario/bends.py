@@ -5,8 +5,6 @@ radius for a speed, with the side friction that drivers accept and a superelevat
 [UN79] UN R79: no more than 3 m/s2 sideways while a lane is kept. Both quoted from memory.
 """
 
-from __future__ import annotations
-
 from bisect import bisect_left
 from math import ceil, degrees, pi
 

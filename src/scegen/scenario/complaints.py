@@ -1,7 +1,5 @@
 """What is wrong with a file, in words: which field, what was found there, what may stand there."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from datetime import date
 from difflib import get_close_matches

@@ -1,7 +1,5 @@
 """Whether what a file of logical scenarios names is there: participants, arms, parameters."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterable, Iterator
 

@@ -1,7 +1,5 @@
 """What a junction's control means on the ground: where its signs stand, which lights are green."""
 
-from __future__ import annotations
-
 from scegen.scenario.arms import arm_angles_deg, turn_deg, turn_name
 from scegen.scenario.junction import Junction
 from scegen.scenario.vocabulary import Control, JunctionKind, Maneuver

@@ -1,7 +1,5 @@
 """Definitions: what a word of the contract means, beside the word itself."""
 
-from __future__ import annotations
-
 from enum import StrEnum
 from typing import NamedTuple, Self
 

@@ -1,7 +1,5 @@
 """Conditions around the traffic: weather, light, the road's surface, how far one sees."""
 
-from __future__ import annotations
-
 from pydantic import Field
 
 from scegen.scenario.definitions import Word

@@ -1,7 +1,5 @@
 """What the fields of a functional scenario rest on, and what none of them expresses."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from pydantic import Field

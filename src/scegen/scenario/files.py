@@ -1,7 +1,5 @@
 """Scenario files: every level as YAML or JSON, read back with errors that name the place."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any, TypeVar

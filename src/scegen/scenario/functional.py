@@ -3,8 +3,6 @@
 A set holds every value that the text allows; an empty set leaves the choice to enumeration.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Collection, Iterator
 from typing import Annotated, Literal

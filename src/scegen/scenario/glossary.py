@@ -1,7 +1,5 @@
 """The glossary: every word of the contract with its definition, for prompts, schemas and pages."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from enum import StrEnum
 from typing import Any

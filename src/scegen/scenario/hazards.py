@@ -4,8 +4,6 @@ A kind needs its word in :class:`HazardKind`, a row here, a predicate, and a rec
 where its acts and its arrangement do not make it; ``docs/how-to/add-a-hazard.md`` shows one.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum

@@ -1,7 +1,5 @@
 """Who is ahead of whom when something is done, where a danger, an act or words tell."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterable
 from typing import Literal
 

@@ -1,7 +1,5 @@
 """The road network that a description speaks of."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from pydantic import Field

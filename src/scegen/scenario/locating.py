@@ -1,7 +1,5 @@
 """Where in a file a complaint belongs: the path, the models there, and who meant it."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any, get_args
 

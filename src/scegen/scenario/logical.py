@@ -4,8 +4,6 @@ One functional scenario has a set of logical ones; the set says how it was reduc
 many assignments stand behind every scenario, so that nothing is merged in silence.
 """
 
-from __future__ import annotations
-
 from enum import StrEnum
 from typing import Literal
 

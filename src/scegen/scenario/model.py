@@ -1,7 +1,5 @@
 """The base of every scenario type: frozen, closed, and the same bytes in YAML and JSON."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from enum import Enum
 from math import inf

@@ -5,8 +5,6 @@ world: x to the east, y to the north (m), heading counter-clockwise from east; i
 along the heading.
 """
 
-from __future__ import annotations
-
 from enum import StrEnum
 
 from pydantic import Field

@@ -1,7 +1,5 @@
 """The outcome that a description tells of: a contact, a near miss, or neither."""
 
-from __future__ import annotations
-
 from pydantic import Field
 
 from scegen.scenario.definitions import Word

@@ -1,7 +1,5 @@
 """Parameters of a logical scenario: ranges that concretization chooses from."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from scegen.scenario.model import CheckedModel

@@ -1,7 +1,5 @@
 """YAML and JSON text of unknown origin to plain data: bounded in depth and in size."""
 
-from __future__ import annotations
-
 import json
 import re
 from collections import Counter

@@ -1,7 +1,5 @@
 """What stands where the path of a field leads, such as ``participants.car_1.speed_mps``."""
 
-from __future__ import annotations
-
 from typing import Any
 
 NOWHERE = object()

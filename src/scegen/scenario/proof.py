@@ -1,7 +1,5 @@
 """What the search for danger shows: which dangers happen, how critical it was and has become."""
 
-from __future__ import annotations
-
 from typing import Literal
 
 from scegen.scenario.concrete import Change

@@ -4,8 +4,6 @@ The body always heads the way of the drive; on the part driven backwards it move
 Before and after that part it drives forwards as any other.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Annotated, Literal
 

@@ -1,7 +1,5 @@
 """All numbers that determine a road network."""
 
-from __future__ import annotations
-
 from pydantic import Field
 
 from scegen.scenario.junction import MAX_ARMS, MAX_LANES

@@ -1,7 +1,5 @@
 """What a road is like along its length: how its directions lie, and what lies beside its lanes."""
 
-from __future__ import annotations
-
 from scegen.scenario.definitions import Word
 
 LANE_WIDTH_M = 3.5

@@ -1,7 +1,5 @@
 """A user's own rules in ASP as they stand in a file; what they mean is up to the enumeration."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 RULES_FILE = "rules.lp"

@@ -1,7 +1,5 @@
 """The lights of a junction over time: which arms have green together, and when."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from enum import StrEnum
 

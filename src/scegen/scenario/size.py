@@ -1,7 +1,5 @@
 """How many participants a scenario may have, for everybody who reads or makes one."""
 
-from __future__ import annotations
-
 from scegen.errors import InfeasibleError
 
 MAX_PARTICIPANTS = 24

@@ -1,7 +1,5 @@
 """Spacings: how far apart two participants are, in the measure that the text uses."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Literal
 

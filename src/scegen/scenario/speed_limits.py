@@ -1,7 +1,5 @@
 """The speed limit that a description implies where it names none."""
 
-from __future__ import annotations
-
 from math import ceil, inf, sqrt
 
 from scegen.scenario.acts import GAINING, SLOWING, ActKind

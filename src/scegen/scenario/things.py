@@ -1,7 +1,5 @@
 """Things of a description: what stands or lies about without taking part in traffic."""
 
-from __future__ import annotations
-
 from typing import Annotated
 
 from scegen.scenario.definitions import Word

@@ -1,7 +1,5 @@
 """Who does what, as people say it."""
 
-from __future__ import annotations
-
 from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import ANIMALS, ON_FOOT, ParticipantKind
 

@@ -1,7 +1,5 @@
 """How people are told of what stands in files: counts, articles, changes."""
 
-from __future__ import annotations
-
 
 def counted(number: int, noun: str) -> str:
     """``1 scenario``, ``1,024 scenarios``."""

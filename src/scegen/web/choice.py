@@ -1,7 +1,5 @@
 """The logical scenarios of a piece of work: listed as they are found, narrowed, chosen from."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 

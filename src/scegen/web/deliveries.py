@@ -4,8 +4,6 @@ Whose they are is told by the session's cookie; names and numbers are only compa
 server knows.
 """
 
-from __future__ import annotations
-
 from importlib.resources import files
 from urllib.parse import quote
 

@@ -4,8 +4,6 @@ Nothing here names a field of the scenario but the few that the form leaves out;
 word appears in the form by itself. Every word comes with its definition.
 """
 
-from __future__ import annotations
-
 import types
 from enum import Enum, StrEnum
 from typing import Annotated, Any, Literal, Union, get_args, get_origin

@@ -4,8 +4,6 @@ A page on another site must neither read nor steer this server through somebody'
 server that others can reach wants a token. Nothing here knows what the page shows.
 """
 
-from __future__ import annotations
-
 import hashlib
 import hmac
 from collections.abc import Iterable

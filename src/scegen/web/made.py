@@ -1,7 +1,5 @@
 """What lies in a folder that was made: read from its files, whoever made it."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any

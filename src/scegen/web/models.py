@@ -1,7 +1,5 @@
 """The language models of a server: one budget for all who use it, and what is left of it."""
 
-from __future__ import annotations
-
 import os
 from dataclasses import replace
 

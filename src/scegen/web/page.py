@@ -1,7 +1,5 @@
 """The page of one browser window: five steps over one piece of work."""
 
-from __future__ import annotations
-
 import asyncio
 from collections import Counter
 from functools import partial

@@ -3,8 +3,6 @@
 Their colours are the theme's custom properties, so that the page's variant is theirs too.
 """
 
-from __future__ import annotations
-
 from dataclasses import fields
 from typing import Any
 

@@ -4,8 +4,6 @@ What lies there may come from the command line, and goes back to it. Names that 
 only ever compared with the names that are there.
 """
 
-from __future__ import annotations
-
 import io
 import re
 import tempfile

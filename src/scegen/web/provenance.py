@@ -1,7 +1,5 @@
 """What fields rest on after somebody has changed them by hand."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from scegen.scenario.evidence import Evidence, EvidenceSource

@@ -1,7 +1,5 @@
 """The server: the page, its pictures and downloads behind the guard."""
 
-from __future__ import annotations
-
 import asyncio
 import secrets
 import webbrowser

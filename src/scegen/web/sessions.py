@@ -1,7 +1,5 @@
 """Whose work is whose: one for each browser, found by its cookie."""
 
-from __future__ import annotations
-
 from collections import OrderedDict
 from collections.abc import Callable
 

@@ -3,8 +3,6 @@
 They call what the command line calls, with the same arguments.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """What is under way for one person, by kind, and who is told when something has changed."""
 
-from __future__ import annotations
-
 import asyncio
 from collections import Counter
 from collections.abc import Callable

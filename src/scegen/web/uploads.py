@@ -1,7 +1,5 @@
 """Files from a browser: small, of known kinds, and read as data alone."""
 
-from __future__ import annotations
-
 import io
 import zipfile
 from pathlib import PurePosixPath

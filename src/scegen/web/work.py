@@ -4,8 +4,6 @@ It lives on the server, so that a reload loses nothing; everything here runs in 
 long work in :mod:`scegen.web.jobs`.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 from typing import Any

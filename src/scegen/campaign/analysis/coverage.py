@@ -6,8 +6,6 @@ It is covered by a scenario that shows it, in which all that is said holds and n
 is a part of a parameter's range: that of one concretization, or a point of a sweep.
 """
 
-from __future__ import annotations
-
 import json
 from collections import Counter
 from collections.abc import Sequence

@@ -1,7 +1,5 @@
 """A suite of a given size: first all that can be covered, then what is critical and different."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

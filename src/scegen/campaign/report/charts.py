@@ -1,7 +1,5 @@
 """Plots as SVG, by the one drawing layer; colours are the page's own."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The page of a campaign: numbers, plots, coverage, what stands out, and every row to look up."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

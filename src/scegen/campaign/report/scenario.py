@@ -1,7 +1,5 @@
 """One scenario of a campaign from its objects: read back, as a folder, as a page of the player."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """What a campaign did not come to, with the reason that is told most often, and an example."""
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from collections.abc import Iterator, Sequence

@@ -1,7 +1,5 @@
 """The report's files: the page, pages of the player, the tidy table for pandas and spreadsheets."""
 
-from __future__ import annotations
-
 import csv
 import io
 from collections.abc import Callable

@@ -6,8 +6,6 @@ run, of 1.8 another 22: the same file is checked a second time with 1.8 in its h
 one rule that begins there.
 """
 
-from __future__ import annotations
-
 import subprocess
 import tempfile
 from collections.abc import Sequence

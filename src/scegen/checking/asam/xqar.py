@@ -1,7 +1,5 @@
 """ASAM's result files (XQAR): what became of each rule."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 

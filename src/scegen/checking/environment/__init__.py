@@ -5,8 +5,6 @@ be tied to, so each set lives in an environment of its own inside ours. Run
 ``python -m scegen.checking.environment asam`` (or ``interop``) to install one.
 """
 
-from __future__ import annotations
-
 import os
 import shutil
 import sys

@@ -1,7 +1,5 @@
 """``python -m scegen.checking.environment asam|interop``: install an environment."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from collections.abc import Sequence

@@ -1,7 +1,5 @@
 """The reference player: does it play the file, and does what it plays make sense?"""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from pathlib import Path
 

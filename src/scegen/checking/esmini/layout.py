@@ -1,7 +1,5 @@
 """Our own simulation in the layout of esmini's CSV log, for readers of either."""
 
-from __future__ import annotations
-
 from math import cos, pi, sin
 
 from scegen.motion import build_paths, simulate

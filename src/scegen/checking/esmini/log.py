@@ -1,7 +1,5 @@
 """esmini's log: every error, and every warning that is not known to be harmless, is a finding."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 

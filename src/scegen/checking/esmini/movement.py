@@ -1,7 +1,5 @@
 """What esmini played, against physics and against the concrete scenario."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import pairwise
 

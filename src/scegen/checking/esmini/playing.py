@@ -1,7 +1,5 @@
 """Running the reference player: one scenario, without a window, in a folder of its own."""
 
-from __future__ import annotations
-
 import re
 import tempfile
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """esmini's CSV log as one movement per entity."""
 
-from __future__ import annotations
-
 import csv
 from dataclasses import dataclass
 

@@ -4,8 +4,6 @@ Schema, ASAM's checker, netconvert, CARLA and esmini each let through files with
 deleted connections or wrong lane links; these rules do not.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from functools import lru_cache
 from typing import NamedTuple

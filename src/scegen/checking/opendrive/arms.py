@@ -1,7 +1,5 @@
 """Arms: the open road ends of a network, and which arm of a concrete scenario each one is."""
 
-from __future__ import annotations
-
 from cmath import phase
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass

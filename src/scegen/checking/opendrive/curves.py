@@ -5,8 +5,6 @@ positive. Written apart from the generator's own geometry on purpose: a checker 
 formula would share its bug.
 """
 
-from __future__ import annotations
-
 from cmath import exp
 from dataclasses import dataclass
 from math import atan2, ceil, sin

@@ -1,7 +1,5 @@
 """Where lanes lie: borders, centres and ends, computed from a road as read."""
 
-from __future__ import annotations
-
 from cmath import exp
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass

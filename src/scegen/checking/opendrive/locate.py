@@ -1,7 +1,5 @@
 """From points back to roads and lanes."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import lru_cache

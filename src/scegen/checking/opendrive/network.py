@@ -3,8 +3,6 @@
 Ids are strings, as in the file; lengths are metres, angles radians.
 """
 
-from __future__ import annotations
-
 from cmath import exp
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """From an OpenDRIVE file to a network; what cannot be read becomes a finding."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import TypeVar
 

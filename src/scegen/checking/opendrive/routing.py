@@ -1,7 +1,5 @@
 """Where one can drive: lanes as nodes, links and connections as edges."""
 
-from __future__ import annotations
-
 from collections import defaultdict
 from collections.abc import Iterable
 

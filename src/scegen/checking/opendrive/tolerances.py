@@ -1,7 +1,5 @@
 """How exact a road network must be."""
 
-from __future__ import annotations
-
 from math import pi, remainder
 
 GAP_M = 0.01

@@ -1,7 +1,5 @@
 """Our own check of OpenSCENARIO files: references, starts, trajectories, exits."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from functools import lru_cache
 from pathlib import PurePosixPath

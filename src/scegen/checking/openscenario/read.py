@@ -1,7 +1,5 @@
 """From an OpenSCENARIO file to a storyboard; what cannot be read becomes a finding."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from math import nan

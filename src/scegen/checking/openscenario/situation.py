@@ -1,7 +1,5 @@
 """A scenario on its road, and what the concrete scenario beside it asks for."""
 
-from __future__ import annotations
-
 from cmath import exp
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """A scenario as an OpenSCENARIO file states it: entities, starts, trajectories, references."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -4,8 +4,6 @@ Closeness is PET, where it exists, or TTC of those who really come close: a TTC 
 crossings. For one who brakes before the other's way PET says nothing and TTC does.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from scegen.claims.hazards import thresholds as limits

@@ -1,7 +1,5 @@
 """Dangers that one driver makes alone: speed, acceleration, braking, standing still."""
 
-from __future__ import annotations
-
 from math import inf
 
 import numpy as np

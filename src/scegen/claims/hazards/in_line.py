@@ -3,8 +3,6 @@
 Amounts that the text gives take the place of thresholds; these conditions hold all the same.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from scegen.claims.boxes import boxes, offset, same_way

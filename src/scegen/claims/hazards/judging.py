@@ -3,8 +3,6 @@
 A danger happens if everybody who is said to cause it does, to at least one of its sufferers.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from math import isfinite

@@ -1,7 +1,5 @@
 """What a predicate returns, and how its conditions make one margin."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Reversing: somebody drives backwards into another's way, close to it."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from scegen.claims.hazards import thresholds as limits

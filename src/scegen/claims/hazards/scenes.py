@@ -1,7 +1,5 @@
 """Whose measures the predicates of hazards ask for."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from itertools import combinations
 

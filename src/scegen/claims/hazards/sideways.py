@@ -1,7 +1,5 @@
 """Dangers that lie in moving sideways: cutting in, swerving, straying, overtaking, fast bends."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from scegen.claims.boxes import passes

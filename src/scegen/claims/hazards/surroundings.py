@@ -1,7 +1,5 @@
 """Dangers made by what stands beside or on the road: occlusion and obstacles."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from scegen.claims.boxes import box_at, free_width_m, offset

@@ -1,7 +1,5 @@
 """Which predicate recognises which danger; every kind of the vocabulary has an entry."""
 
-from __future__ import annotations
-
 from scegen.claims.hazards.conflict import BEFORE, DOES_NOT_YIELD, DRIVES_ON, MERGING
 from scegen.claims.hazards.driving import (
     DELAYED_BRAKING,

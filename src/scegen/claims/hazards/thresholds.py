@@ -14,8 +14,6 @@ between 0.2 and 0.44 g. "own" marks this program's own choice, made so that the 
 see in the player. (*) quoted from memory: the text itself could not be consulted.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from scegen.scenario.hazards import CUT_IN_S, HARD_BRAKING_MPS2

@@ -1,7 +1,5 @@
 """How much of an act there is: its rate, speed, duration and distance, as far as they are said."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
 

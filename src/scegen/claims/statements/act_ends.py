@@ -3,8 +3,6 @@
 Who drives backwards has done so once it slows down.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from scegen.claims.moments import act_begins, act_run, is_level, passed, rest

@@ -1,7 +1,5 @@
 """What sets an act off: a time, another act, a measure, a way driven, the junction."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from functools import partial
 

@@ -1,7 +1,5 @@
 """Acts: that they happen, in order, to which side; the rest of them stands beside."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import numpy as np

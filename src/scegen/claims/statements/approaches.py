@@ -1,7 +1,5 @@
 """Where somebody comes from: seen from the ego, or from who is named."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import partial
 

@@ -1,7 +1,5 @@
 """What a logical scenario lists: arms of entry and exit, lanes, who is ahead and who beside."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import partial
 from itertools import combinations

@@ -1,7 +1,5 @@
 """Who backs straight out stands square to the road, and keeps so."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import partial
 

@@ -1,7 +1,5 @@
 """Bodies: nobody does what its body and its tyres cannot, nor appears, jumps or stops dead."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import partial
 

@@ -1,7 +1,5 @@
 """Dangers: their predicates, for those who are meant to cause and to suffer them."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from functools import partial
 

@@ -1,7 +1,5 @@
 """A door is closed until somebody comes, and open when that one is there."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from scegen.claims import tolerances

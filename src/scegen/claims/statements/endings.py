@@ -1,7 +1,5 @@
 """A danger is over before the scenario is: it goes on after the closest approach, and apart."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import partial
 

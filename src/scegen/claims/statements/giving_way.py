@@ -1,7 +1,5 @@
 """Right of way: kept by everybody who meets another of whom the text says nothing else."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import partial
 from math import inf

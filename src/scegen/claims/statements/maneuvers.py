@@ -1,7 +1,5 @@
 """What somebody does on its way: turns, changes lane, overtakes, crosses, stands."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import partial
 

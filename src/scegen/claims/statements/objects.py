@@ -1,7 +1,5 @@
 """Things: where they lie, and whom they hide."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import partial
 

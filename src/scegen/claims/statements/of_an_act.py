@@ -1,7 +1,5 @@
 """What the claims of acts are made of: the claim, the moment, the way to the side, the contact."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import partial
 

@@ -1,7 +1,5 @@
 """A danger has a beginning: everybody goes on undisturbed before it, none bumper to bumper."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import partial
 from itertools import permutations

@@ -1,7 +1,5 @@
 """How it ends: a contact, a near miss or neither; and that nobody else touches anybody."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from functools import partial
 from itertools import combinations

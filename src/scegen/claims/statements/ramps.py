@@ -1,7 +1,5 @@
 """Who merges does so out of the lane that ends and before its end; who exits leaves by the ramp."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import partial
 

@@ -1,7 +1,5 @@
 """Those who stop on their way across: where they stand, and that they do when somebody comes."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import partial
 

@@ -1,7 +1,5 @@
 """The road, its rules and the conditions: as described, so as made."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 

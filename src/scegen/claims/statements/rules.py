@@ -1,7 +1,5 @@
 """Rules of the road: kept by everybody whom the text does not make break them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import partial
 

@@ -1,7 +1,5 @@
 """Sizes that are said: of those who take part, and of things."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from functools import partial
 

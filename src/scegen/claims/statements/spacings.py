@@ -1,7 +1,5 @@
 """How far apart two are: at the start, when an act begins, at the contact."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import partial
 

@@ -3,8 +3,6 @@
 Who is said not to react holds the speed with which it begins, and has no reaction.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import partial
 

@@ -4,8 +4,6 @@ Who meets the ego may: it waits for the ego at a lower speed, so that the danger
 ego that comes earlier or later.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import partial
 

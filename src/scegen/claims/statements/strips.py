@@ -1,7 +1,5 @@
 """On which strip beside the lanes somebody stands, drives or walks."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import partial
 

@@ -1,7 +1,5 @@
 """Contacts that are said: what comes after one is not judged."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from scegen.claims.told import Told

@@ -1,7 +1,5 @@
 """scegen benchmark understand: labelled descriptions, by the reader or language models."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Annotated
 

@@ -1,7 +1,5 @@
 """scegen campaign: many descriptions, many scenarios. ``run`` is what it does if not said."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import typer

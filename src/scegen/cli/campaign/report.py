@@ -1,7 +1,5 @@
 """scegen campaign report: what a campaign covers, how critical it is, what stands out."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Annotated
 

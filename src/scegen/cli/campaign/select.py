@@ -1,7 +1,5 @@
 """scegen campaign select: a suite of a given size by coverage, criticality and diversity."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Annotated
 

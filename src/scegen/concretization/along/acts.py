@@ -1,7 +1,5 @@
 """What happens, in order: the acts of the text, and those that its dangers and manoeuvres imply."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from scegen.concretization.along.story import Story

@@ -5,8 +5,6 @@ the step off the kerb, the place of the impact. Everybody's movement is laid aro
 in time, and where one starts follows.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Those who go across the road: where their way lies, and when they set off to be met."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from itertools import chain
 from math import ceil

@@ -4,8 +4,6 @@ The joint is where a ramp's lane meets the others. Who merges comes along the ra
 the lane that ends, and leaves it well before; who takes the exit slows down in it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from math import ceil, copysign

@@ -5,8 +5,6 @@ none that breaks what was said. As many lanes are built as that needs, up to thr
 says how many there are.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from itertools import product
 

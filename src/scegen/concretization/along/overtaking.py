@@ -1,7 +1,5 @@
 """How one passes another: out, past, and back in."""
 
-from __future__ import annotations
-
 from functools import partial
 from math import pi, sqrt
 

@@ -4,8 +4,6 @@ To everybody along the road one that opens a door on the side of the traffic is 
 which that swings, from the moment on at which it opens.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from scegen.concretization.along.crossing import BEFORE_WALKER_M

@@ -1,7 +1,5 @@
 """Acts in time: when each begins, and the steps of speed and moves to the side that it becomes."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 from math import copysign

@@ -1,7 +1,5 @@
 """How those along the road stand to each other: what is said, and what is usual where it is not."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterator
 from dataclasses import replace
 from math import inf

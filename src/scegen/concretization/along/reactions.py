@@ -1,7 +1,5 @@
 """Who brakes along a road: for whom its braking is that is told, how hard, or as traffic does."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import partial
 from math import floor, inf

@@ -4,8 +4,6 @@ One axis runs along the road in the ego's direction (``x``, m), one to the ego's
 line (``y``, m). Times count from the start of the scenario (s).
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import lru_cache

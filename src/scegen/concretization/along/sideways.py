@@ -1,7 +1,5 @@
 """Where somebody is across the road: in its lane as distances say, or on a strip beside them."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from itertools import accumulate
 

@@ -1,7 +1,5 @@
 """The story of a scenario along a road: who takes part, what is done, when it begins and ends."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 
 from scegen.claims.boxes import Boxes

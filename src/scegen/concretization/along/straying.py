@@ -1,7 +1,5 @@
 """Who strays among those who come towards it: when they meet, and how it gets back."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import partial
 from math import copysign

@@ -1,7 +1,5 @@
 """From the two levels above to a story: who is along the road and how fast, what lies there."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import permutations
 

@@ -1,7 +1,5 @@
 """From the story to the numbers of the files: roads, starts, phases, changes of lane."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from math import hypot
 

@@ -1,7 +1,5 @@
 """The agent's instructions and its question, generated from what the code knows."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 from math import ceil, floor
 

@@ -1,7 +1,5 @@
 """From proposals to where the search begins: asked for, validated, accounted for."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Whether values can be driven: nobody stands in somebody, bends hold, everybody gets through."""
 
-from __future__ import annotations
-
 from itertools import combinations
 
 from scegen.claims.view import View

@@ -5,8 +5,6 @@ time: the pair that the danger is about meets as far apart as the target asks, a
 of each other's way; and what a danger still lacks gets more (or less) of what makes it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from scegen.criticality.proposals.parameters import Parameter

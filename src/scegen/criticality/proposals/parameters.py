@@ -1,7 +1,5 @@
 """The parameters that may be changed: the variables of the search, as somebody would read them."""
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """What each parameter can do, changed alone: how far it goes, what stops it, what it is worth."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 

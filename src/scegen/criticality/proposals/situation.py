@@ -1,7 +1,5 @@
 """What a proposer is shown, made from a search problem."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from math import inf
 

@@ -4,8 +4,6 @@ As in the source paper, an invalid value of a parameter that exists is replaced 
 that is valid; nothing can replace a parameter that does not exist.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from functools import cached_property
 from math import isfinite

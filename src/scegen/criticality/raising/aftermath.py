@@ -5,8 +5,6 @@ light, brakes; people on foot and riders fall. There is no rebound, and nobody i
 stand-in for what players do not compute.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from scegen.claims.boxes import boxes, contact, free, seen

@@ -5,8 +5,6 @@ reason, the leader gets two phases more: it brakes once the one behind is so man
 where it is itself, and takes up its speed again, so that the search can bring the two together.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 from math import sqrt

@@ -3,8 +3,6 @@
 They are told as missed, and the rest is sought.
 """
 
-from __future__ import annotations
-
 from collections.abc import Collection
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Raise the criticality of a concrete scenario: the stage between numbers and files."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 

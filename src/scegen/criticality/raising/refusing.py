@@ -1,7 +1,5 @@
 """Demands that nothing can fulfil, found without a search."""
 
-from __future__ import annotations
-
 from scegen.claims.hazards.scenes import Pair
 from scegen.criticality.search.bounds import speed_range
 from scegen.criticality.search.pairs import MEETS, follows, has_areas

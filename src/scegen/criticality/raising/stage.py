@@ -1,7 +1,5 @@
 """What every part of one search shares: whom it is about, what it runs on, what counts."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Bind those who meet the ego to it, where the danger then survives an earlier or later ego."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np

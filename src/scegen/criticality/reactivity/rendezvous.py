@@ -6,8 +6,6 @@ is from then on exactly where it was planned to be. An ego that comes earlier or
 met all the same; what is left over is what the other rolls while it waits.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 

@@ -11,8 +11,6 @@ These are one and a half times the upper ends of the near-miss bands of
 :mod:`scegen.criticality.target`: less than driving past each other in neighbouring lanes takes.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache

@@ -4,8 +4,6 @@ Speeds keep to the ranges of the logical scenario (or what concretization chose 
 rates to what bodies and tyres allow, starts to the arm and to a few seconds.
 """
 
-from __future__ import annotations
-
 from collections.abc import Collection, Mapping
 
 from scegen.claims.ways import Way

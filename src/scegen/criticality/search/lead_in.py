@@ -5,8 +5,6 @@ it than it was in it, and the second of the pair must enter their conflict area 
 tailgates may be as close from the start: that is the danger.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

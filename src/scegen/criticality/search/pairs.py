@@ -1,7 +1,5 @@
 """Whom a search is about: the pair of the target, and whose measures it needs."""
 
-from __future__ import annotations
-
 from itertools import combinations
 
 from scegen.claims.hazards.judging import both_sides

@@ -1,7 +1,5 @@
 """What a candidate is worth: how far it is from everything that is wanted at once."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 

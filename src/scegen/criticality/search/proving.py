@@ -1,7 +1,5 @@
 """The proof: what a scenario really shows, simulated anew in fine steps from its own numbers."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from functools import cached_property

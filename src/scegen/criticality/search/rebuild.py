@@ -1,7 +1,5 @@
 """From the candidate found back to a concrete scenario, with the reason of every change."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from scegen.claims.ways import Way

@@ -5,8 +5,6 @@ there". Triggers follow from them: whoever is to have slowed down at a place beg
 is faster.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum, auto

@@ -5,8 +5,6 @@ first does, what the second does, where it comes from seen from the first, the k
 and who yields.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass

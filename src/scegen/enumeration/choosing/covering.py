@@ -1,7 +1,5 @@
 """A smallest set of scenarios that covers everything coverable, by answer set optimisation."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol, TypeVar

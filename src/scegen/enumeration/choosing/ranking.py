@@ -1,7 +1,5 @@
 """Ranking by conflict richness."""
 
-from __future__ import annotations
-
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import ConflictKind, LogicalScenario, Reverses
 from scegen.scenario.vocabulary import JunctionKind, Maneuver

@@ -5,8 +5,6 @@ exit or maneuver) plus the share of pairs who meet differently (another kind of 
 another one yields): from 0, alike, to 2. It is documented in docs/how-to/choosing.md.
 """
 
-from __future__ import annotations
-
 from collections.abc import Hashable, Iterable, Sequence
 from itertools import combinations
 

@@ -4,8 +4,6 @@ Every term has a type; a word's type is the vocabulary it comes from, so that a 
 misplaced word is found before anything is enumerated.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 

@@ -4,8 +4,6 @@ The grammar is documented in docs/how-to/where.md. It is a small part of Python'
 it; everything outside the part is refused, and nothing is executed but the closures made here.
 """
 
-from __future__ import annotations
-
 import ast
 import difflib
 import operator

@@ -4,8 +4,6 @@ They are named tuples, because kernels can read those. Indices: c candidate, t t
 i participant, k phase (the phases of all participants one after another), v vertex (likewise).
 """
 
-from __future__ import annotations
-
 from enum import IntEnum
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """From scenarios and paths to the arrays of the batch simulator, and from traces to batches."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 

@@ -9,8 +9,6 @@ compiled into it; an edited callee would go on living in its callers. The cache 
 carries a fingerprint of all files with kernels that a function may have been built from.
 """
 
-from __future__ import annotations
-
 import hashlib
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager

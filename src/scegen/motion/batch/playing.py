@@ -1,7 +1,5 @@
 """One scenario played by the compiled simulator, as the reference plays it, but much sooner."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Run many candidates of one program."""
 
-from __future__ import annotations
-
 from scegen.motion.batch.arrays import (
     BatchTraces,
     Candidates,

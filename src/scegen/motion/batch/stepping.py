@@ -4,8 +4,6 @@ Same laws and same order as the reference simulator (``scegen.motion.simulation`
 positions by the new speed times dt, then the triggers, whose effect begins in the next step.
 """
 
-from __future__ import annotations
-
 from math import cos, sin, sqrt
 
 import numpy as np

@@ -3,8 +3,6 @@
 Source: separating axis theorem for convex polygons (Gottschalk, Lin, Manocha: OBBTree, 1996).
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from scegen.motion.batch.arrays import COS, SIN, ContactTable, Floats, X, Y

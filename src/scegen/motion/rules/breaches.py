@@ -1,7 +1,5 @@
 """Who is said to break a rule: whoever causes a danger that is a breach, and nobody else."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from scegen.scenario.functional import FunctionalScenario, Hazard

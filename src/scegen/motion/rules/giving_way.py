@@ -7,8 +7,6 @@ that and the 4 to 5 s that it takes from the line across two lanes: the critical
 more than 2 s is no conflict. (*) quoted from memory: the text itself could not be consulted.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from scegen.motion.rules.breaches import breaks, endangered, told_hazards

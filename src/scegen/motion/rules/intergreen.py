@@ -8,8 +8,6 @@ Traffic Signal Timing Manual (FHWA, 2008), 5.4.2, less the entering time. (*) qu
 the text itself could not be consulted.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import permutations

@@ -1,7 +1,5 @@
 """Traffic lights: who must obey them, who runs them, and which arms have green together."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import product
 

@@ -5,8 +5,6 @@ Neither says for how long; a second at rest is what driving examiners look for (
 choice, as is where "at the line" begins).
 """
 
-from __future__ import annotations
-
 from scegen.motion.rules.breaches import breaks
 from scegen.scenario.control import STOPS, controlled_arms
 from scegen.scenario.functional import FunctionalScenario

@@ -4,8 +4,6 @@ The modules are joined in the order of their imports. That is all there is to bu
 share one scope then, so names at their top are unique over all of them.
 """
 
-from __future__ import annotations
-
 import re
 from functools import cache
 

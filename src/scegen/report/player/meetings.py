@@ -1,7 +1,5 @@
 """Who comes near whom: distances and times to collision, common ground, lines of sight."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import ceil, isfinite, isnan

@@ -1,7 +1,5 @@
 """When there is something to see: statements, dangers, the closest approach."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping, Sequence
 

@@ -1,7 +1,5 @@
 """The still part of a scene: surfaces, marks, crosswalks, signs and lights."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from math import copysign, pi
 

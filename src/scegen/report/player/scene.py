@@ -5,8 +5,6 @@ the reference point in the world, 20 a second; whatever no longer changes is cut
 series holds its last value to the end.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Numbers of a scene, rounded and cut off where they no longer change."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from math import isfinite
 from typing import Any

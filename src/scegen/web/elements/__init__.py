@@ -1,7 +1,5 @@
 """The page's own elements: each a small component that keeps what is typed in the browser."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path

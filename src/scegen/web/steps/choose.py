@@ -1,7 +1,5 @@
 """Step 2: all logical scenarios, narrowed and chosen from."""
 
-from __future__ import annotations
-
 from collections import Counter
 from html import escape
 from typing import Any

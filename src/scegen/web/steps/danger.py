@@ -1,7 +1,5 @@
 """Step 3: what is to happen, the search for it, and what it found."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from enum import StrEnum

@@ -1,7 +1,5 @@
 """Step 1: the description, what was understood, and the form to correct it."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterable
 from typing import Any

@@ -1,7 +1,5 @@
 """Filters as chips: each writes a part of the expression that ``--where`` takes too."""
 
-from __future__ import annotations
-
 from collections import Counter
 from dataclasses import dataclass
 from functools import partial

@@ -1,7 +1,5 @@
 """What can be opened: work in the project folder, and files from this computer."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 from nicegui import ui

@@ -1,7 +1,5 @@
 """What the search made of each scenario: before and after, what was said, the verdict."""
 
-from __future__ import annotations
-
 from scegen.report.contents import VERDICTS
 from scegen.report.judgement import verdict_words
 from scegen.scenario.proof import Proof

@@ -1,7 +1,5 @@
 """What every step of the page is."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 
 from scegen.web.elements import Form, button, node, tell

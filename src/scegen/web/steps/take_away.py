@@ -1,7 +1,5 @@
 """Step 5: files to take along, the command that makes them again, and what was checked."""
 
-from __future__ import annotations
-
 from functools import partial
 from urllib.parse import quote
 

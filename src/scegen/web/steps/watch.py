@@ -1,7 +1,5 @@
 """Step 4: the scenario as it moves, and what the ego's driver sees."""
 
-from __future__ import annotations
-
 from functools import partial
 from urllib.parse import quote
 

@@ -1,7 +1,5 @@
 """The road network is the one that the concrete scenario describes."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from scegen.checking.opendrive.arms import Arm, match_arms

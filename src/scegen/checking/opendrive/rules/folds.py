@@ -1,7 +1,5 @@
 """No lane folds: neither inside a bend tighter than the lane is far out, nor over itself."""
 
-from __future__ import annotations
-
 from cmath import exp
 from collections.abc import Iterator
 from itertools import pairwise

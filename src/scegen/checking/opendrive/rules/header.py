@@ -1,7 +1,5 @@
 """What a file has to say: that it is OpenDRIVE 1.7, and how high every road lies."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from scegen.checking.opendrive.network import Network, road_place

@@ -1,7 +1,5 @@
 """Linked lanes meet: same place, same heading, same width, same height."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from math import degrees, pi
 

@@ -1,7 +1,5 @@
 """Junctions are complete: every connection leads from a lane that exists to one that exists."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterator
 

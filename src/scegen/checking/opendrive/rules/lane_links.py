@@ -1,7 +1,5 @@
 """Lanes are linked to lanes that exist, of the same type and direction, and both ways."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from scegen.checking.opendrive.network import END, START, Lane, Network, Road, lane_place

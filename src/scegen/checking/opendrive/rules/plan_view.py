@@ -1,7 +1,5 @@
 """The reference line of each road is one unbroken, unbent line of lines and arcs."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import pairwise
 from math import degrees

@@ -1,7 +1,5 @@
 """Whoever enters can leave: every lane of every arm leads on, and every arm to every other."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from scegen.checking.opendrive.arms import open_ends

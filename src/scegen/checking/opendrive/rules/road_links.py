@@ -1,7 +1,5 @@
 """Roads are linked to what exists, and links hold both ways."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import replace
 

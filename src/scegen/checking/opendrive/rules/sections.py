@@ -1,7 +1,5 @@
 """Lane sections of a road follow each other, and their lanes carry on without a step."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import pairwise
 

@@ -1,7 +1,5 @@
 """Lane widths are positive and do not step inside a road."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from itertools import pairwise
 

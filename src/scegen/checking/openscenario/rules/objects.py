@@ -3,8 +3,6 @@
 One that is an obstacle lies on a lane; any other stands beside the road.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from math import degrees, radians
 

@@ -1,7 +1,5 @@
 """Trajectories lie where the concrete scenario says: on lanes, and out by the exit arm."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from itertools import islice
 

@@ -1,7 +1,5 @@
 """Everything that the scenario names exists."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterator
 

@@ -1,7 +1,5 @@
 """Everybody starts where the concrete scenario says."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from scegen.checking.opendrive.arms import Arm

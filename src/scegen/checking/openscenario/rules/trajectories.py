@@ -4,8 +4,6 @@ A body may go against its heading: straight against it, and from and to a point 
 round without turning. How far is for the concrete scenario to say.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from math import pi
 
