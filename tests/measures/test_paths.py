@@ -7,7 +7,8 @@ from criticality_geometry import arc, cruising, line, polygon, through
 from series import gap_series
 
 from scegen.measures import build_tables, measure
-from scegen.measures.boxes import box_at, frames_of
+from scegen.measures.bodies import body_of
+from scegen.measures.boxes import track_box
 from scegen.measures.post_encroachment import time_of_reaching
 from scegen.motion.batch.arrays import S
 from scegen.motion.model import Path
@@ -58,11 +59,8 @@ def test_a_car_that_cuts_in_becomes_the_leader_once_it_reaches_into_the_corridor
     begins = int(np.flatnonzero(np.isfinite(gaps[0, :, 0]))[0])
     assert np.isfinite(gaps[0, begins:, 0]).all()
     # The ground truth: its box reaches over the edge of the corridor.
-    frames = frames_of(traces.tracks[0], scene.bodies)
-    low = [
-        polygon(box_at(frames[1], CAR.length_m / 2, CAR.width_m / 2, t)).bounds[1]
-        for t in range(traces.tracks.shape[3])
-    ]
+    body, track = body_of(scene.bodies, 1), traces.tracks[0, 1]
+    low = [polygon(track_box(track, body, t)).bounds[1] for t in range(traces.tracks.shape[3])]
     truth = int(np.flatnonzero(np.array(low) < CAR.width_m / 2)[0])
     assert abs(begins - truth) <= 1
 
@@ -71,11 +69,8 @@ def sweep(path, body, step=0.1):
     """The ground that a body covers on its path."""
     s = np.arange(0.0, path.length_m + step, step)
     traces = cruising([path], [0.0], [step], duration_s=len(s) - 1.0, dt_s=1.0)
-    frames = frames_of(traces.tracks[0], build_tables([path], [body]).bodies)
-    boxes = [
-        polygon(box_at(frames[0], body.length_m / 2, body.width_m / 2, t))
-        for t in range(frames.shape[2])
-    ]
+    own, track = body_of(build_tables([path], [body]).bodies, 0), traces.tracks[0, 0]
+    boxes = [polygon(track_box(track, own, t)) for t in range(track.shape[1])]
     return boxes, shapely.union_all(boxes), step
 
 

@@ -4,14 +4,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from scegen.claims.series import clipped
+from scegen.claims.series import clipped, greatest
 from scegen.claims.view import View, kept
-from scegen.measures.bodies import body_of
-from scegen.measures.boxes import track_box
 from scegen.measures.contact import first_touches
 from scegen.motion.batch.arrays import COS, SIN, Bools, Floats, Ints, X, Y
-from scegen.motion.batch.kernels import kernel
-from scegen.motion.batch.touching import place_in
 from scegen.scenario.bodies import Body
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Side
@@ -161,29 +157,12 @@ def passes(view: View, name: str, other: str) -> tuple[Floats, Floats]:
 
     Side by side on one road; minus the longest way there is where it does not come near so.
     """
-    who = view.index[name], view.index[other]
-    most, step = _passed(view.laid, *who, view.scene.bodies)
+    frame, box = boxes(view, other), boxes(view, name)
+    half, (x, y) = frame.half_length + box.half_length, offset(frame, box)
+    beside = (np.abs(y) < _BESIDE_M) & (same_way(frame, box) > _SAME_WAY)
+    behind = np.maximum.accumulate(np.where(beside, -half - x, -_MUCH_M), axis=1)
+    most, step = greatest(np.minimum(behind, np.where(beside, x - half, -_MUCH_M)))
     return most, view.time_of(step)
-
-
-@kernel
-def _passed(tracks: Floats, own: int, other: int, bodies: Floats) -> tuple[Floats, Ints]:
-    """How far one gets past another after it was behind that one, m, and in which step (c,)."""
-    most, step = np.full(tracks.shape[0], -np.inf), np.zeros(tracks.shape[0], dtype=np.int64)
-    own_body, other_body = body_of(bodies, own), body_of(bodies, other)
-    half = other_body.half_length_m + own_body.half_length_m
-    for c in range(tracks.shape[0]):
-        behind = -_MUCH_M
-        for t in range(tracks.shape[3]):
-            frame = track_box(tracks[c, other], other_body, t)
-            box = track_box(tracks[c, own], own_body, t)
-            passed, (x, y) = -_MUCH_M, place_in(frame, box)
-            if abs(y) < _BESIDE_M and frame.cos * box.cos + frame.sin * box.sin > _SAME_WAY:
-                behind, passed = max(behind, -half - x), x - half
-            passed = min(behind, passed)
-            if passed > most[c]:
-                most[c], step[c] = passed, t
-    return most, step
 
 
 class Contact(NamedTuple):

@@ -5,9 +5,8 @@ from typing import NamedTuple
 import numpy as np
 
 from scegen.claims.view import View, kept
-from scegen.measures.occlusion import hidden_at
-from scegen.motion.batch.arrays import Floats, Ints
-from scegen.motion.batch.kernels import kernel
+from scegen.measures.occlusion import occlusion_series
+from scegen.motion.batch.arrays import Floats
 
 
 class Hidden(NamedTuple):
@@ -28,26 +27,8 @@ def hidden(view: View, observer: str, target: str, *hiders: str) -> Hidden:
     rows = np.array([[a, b, view.index[name]] for name in hiders], dtype=np.int64)
     nearest = view.of_pair("closest_s", observer, target)
     nearest = np.where(np.isnan(nearest), view.time_of(view.last_step), nearest)
-    found = _hidden_before(view.traces.tracks, view.scene.bodies, rows, nearest, view.dt_s)
-    total_s, last_s = map(view.time_of, found)
-    return Hidden(total_s, last_s, nearest - last_s)
-
-
-@kernel
-def _hidden_before(
-    tracks: Floats, bodies: Floats, occlusions: Ints, before_s: Floats, dt_s: float
-) -> tuple[Ints, Ints]:
-    """In how many steps before a time (c,) one is hidden by anybody, and which is the last (c,).
-
-    ``occlusions`` (q, 3): observer, target, occluder.
-    """
-    count, last = np.zeros((2, tracks.shape[0]), dtype=np.int64)
-    for c in range(tracks.shape[0]):
-        for t in range(tracks.shape[3]):
-            if not t * dt_s < before_s[c]:
-                break
-            for q in range(occlusions.shape[0]):
-                if hidden_at(tracks[c], bodies, occlusions[q], t):
-                    count[c], last[c] = count[c] + 1, t
-                    break
-    return count, last
+    cut = occlusion_series(view.traces.tracks, view.scene.bodies, rows).any(axis=2)
+    time_s = view.time_of(np.arange(view.steps))
+    cut &= time_s < nearest[:, None]
+    last_s = np.where(cut, time_s, 0.0).max(axis=1)
+    return Hidden(view.time_of(cut.sum(axis=1)), last_s, nearest - last_s)

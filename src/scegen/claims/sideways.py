@@ -7,7 +7,6 @@ from scegen.claims.series import at, first
 from scegen.claims.told import Told
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Floats, Ints
-from scegen.motion.batch.kernels import kernel
 from scegen.scenario.acts import LEAVING, Act, ActKind
 from scegen.scenario.logical import Drive
 from scegen.scenario.vocabulary import Approach, HazardKind, Side
@@ -29,7 +28,7 @@ def sideways_begin(told: Told, act: Act, view: View) -> Ints:
     if earlier:
         before = sideways_begin(told, earlier[-1], view)
     else:
-        before = _last_held(lateral_m(view, act.participant, drive))
+        before = _last_held(np.abs(lateral_m(view, act.participant, drive)))
         if beside or not _comes_back_by(told, act):
             return before
     moved = lateral_m(view, act.participant, drive)
@@ -97,16 +96,8 @@ def _sense(act: Act) -> float:
     return 0.0 if act.side is None else 1.0 if act.side is Side.LEFT else -1.0
 
 
-@kernel
-def _last_held(moved: Floats) -> Ints:
+def _last_held(aside_m: Floats) -> Ints:
     """When one who comes so far aside (c, t) was last on its line before; all steps: never (c,)."""
-    found = np.full(moved.shape[0], moved.shape[1])
-    for c in range(moved.shape[0]):
-        held = 0
-        for t in range(moved.shape[1]):
-            if abs(moved[c, t]) > LEAVES_M:
-                found[c] = held
-                break
-            if abs(moved[c, t]) < HELD_M:
-                held = t
-    return found
+    steps, leaves = aside_m.shape[1], first(aside_m > LEAVES_M)
+    held = np.maximum.accumulate(np.where(aside_m < HELD_M, np.arange(steps), 0), axis=1)
+    return np.where(leaves < steps, at(held, leaves), steps)

@@ -1,18 +1,14 @@
-"""Participants' oriented boxes: their frames over time, and the box at one moment."""
+"""Participants' oriented boxes at one moment, and how they lie and move to one another."""
 
 from math import sqrt
 from typing import NamedTuple
 
 import numpy as np
 
-from scegen.measures.bodies import Body, body_of
+from scegen.measures.bodies import Body
 from scegen.motion.batch.arrays import COS, SIN, SPEED, Floats, X, Y
-from scegen.motion.batch.kernels import inner_kernel, kernel
+from scegen.motion.batch.kernels import inner_kernel
 from scegen.motion.batch.touching import Box
-
-CX, CY, DX, DY, VX, VY = range(6)
-"""Rows of a frame: centre (m, world), direction (cosine and sine of heading), velocity (m/s)."""
-FRAME_ROWS = 6
 
 
 class Way(NamedTuple):
@@ -24,43 +20,20 @@ class Way(NamedTuple):
     heading_rad: Floats
 
 
-@kernel
-def frames_of(tracks: Floats, bodies: Floats) -> Floats:
-    """The frames of one candidate's participants: (participant, row, step).
-
-    The velocity is that of the reference point, along the heading.
-    """
-    frames = np.empty((tracks.shape[0], FRAME_ROWS, tracks.shape[2]))
-    write_frames(tracks, bodies, frames)
-    return frames
-
-
-@kernel
-def write_frames(tracks: Floats, bodies: Floats, frames: Floats) -> None:
-    """Write the frames of one candidate's participants into existing room."""
-    for i in range(tracks.shape[0]):
-        ahead = body_of(bodies, i).ahead_m
-        track, frame = tracks[i], frames[i]
-        for t in range(tracks.shape[2]):
-            c, s, speed = track[COS, t], track[SIN, t], track[SPEED, t]
-            frame[CX, t] = track[X, t] + ahead * c
-            frame[CY, t] = track[Y, t] + ahead * s
-            frame[DX, t], frame[DY, t] = c, s
-            frame[VX, t], frame[VY, t] = speed * c, speed * s
-
-
-@kernel
-def write_separations(a: Floats, b: Floats, squared_m2: Floats) -> None:
-    """Write the squared distance between the centres of two frames for every step, m²."""
-    for t in range(squared_m2.shape[0]):
-        dx, dy = b[CX, t] - a[CX, t], b[CY, t] - a[CY, t]
-        squared_m2[t] = dx * dx + dy * dy
+@inner_kernel
+def between_centres(
+    a: Floats, b: Floats, ahead_a_m: float, ahead_b_m: float, t: int
+) -> tuple[float, float]:
+    """From the centre of a to that of b at step t of their tracks (row, step), m, world."""
+    dx = b[X, t] + ahead_b_m * b[COS, t] - (a[X, t] + ahead_a_m * a[COS, t])
+    return dx, b[Y, t] + ahead_b_m * b[SIN, t] - (a[Y, t] + ahead_a_m * a[SIN, t])
 
 
 @inner_kernel
-def box_at(frame: Floats, half_length_m: float, half_width_m: float, t: int) -> Box:
-    """The box of a frame (row, step) at step t."""
-    return Box(frame[CX, t], frame[CY, t], frame[DX, t], frame[DY, t], half_length_m, half_width_m)
+def relative_velocity(a: Floats, b: Floats, t: int) -> tuple[float, float]:
+    """Velocity of b relative to a at step t, m/s, world: those of the reference points."""
+    vx = b[SPEED, t] * b[COS, t] - a[SPEED, t] * a[COS, t]
+    return vx, b[SPEED, t] * b[SIN, t] - a[SPEED, t] * a[SIN, t]
 
 
 @inner_kernel

@@ -12,7 +12,7 @@ from math import inf, sqrt
 import numpy as np
 
 from scegen.measures.bodies import Body, body_of
-from scegen.measures.boxes import box_at, frames_of, track_box
+from scegen.measures.boxes import between_centres, track_box
 from scegen.motion.batch.arrays import Floats, Ints
 from scegen.motion.batch.kernels import inner_kernel, kernel
 from scegen.motion.batch.touching import Box, boxes_touch, place_in
@@ -47,13 +47,15 @@ def _corners_squared(a: Box, b: Box) -> float:
 def closest_approach(
     a: Floats, b: Floats, body_a: Body, body_b: Body, squared_m2: Floats
 ) -> tuple[float, int, bool]:
-    """Smallest distance (m) of two frames, the first step that has it, whether it is a contact.
+    """Smallest distance (m) of two tracks, the first step that has it, whether it is a contact.
 
-    Looks no further than the first contact. ``squared_m2`` is from ``write_separations``.
+    Looks no further than the first contact. ``squared_m2`` (steps,) is room to work in.
     """
     # Where the centres are nearest, the boxes nearly are: a bound that spares most steps.
     best_step = 0
     for t in range(squared_m2.shape[0]):
+        dx, dy = between_centres(a, b, body_a.ahead_m, body_b.ahead_m, t)
+        squared_m2[t] = dx * dx + dy * dy
         if squared_m2[t] < squared_m2[best_step]:
             best_step = t
     best = _distance_at(a, b, body_a, body_b, best_step)
@@ -72,11 +74,8 @@ def closest_approach(
 
 @inner_kernel
 def _distance_at(a: Floats, b: Floats, body_a: Body, body_b: Body, t: int) -> float:
-    """Distance of two frames at step t, m."""
-    return box_distance(
-        box_at(a, body_a.half_length_m, body_a.half_width_m, t),
-        box_at(b, body_b.half_length_m, body_b.half_width_m, t),
-    )
+    """Distance of two tracks at step t, m."""
+    return box_distance(track_box(a, body_a, t), track_box(b, body_b, t))
 
 
 @kernel
@@ -85,12 +84,11 @@ def distance_series(tracks: Floats, bodies: Floats, pairs: Ints) -> Floats:
     candidates, steps = tracks.shape[0], tracks.shape[3]
     out = np.empty((candidates, steps, pairs.shape[0]))
     for c in range(candidates):
-        frames = frames_of(tracks[c], bodies)
         for p in range(pairs.shape[0]):
             a, b = pairs[p, 0], pairs[p, 1]
             body_a, body_b = body_of(bodies, a), body_of(bodies, b)
             for t in range(steps):
-                out[c, t, p] = _distance_at(frames[a], frames[b], body_a, body_b, t)
+                out[c, t, p] = _distance_at(tracks[c, a], tracks[c, b], body_a, body_b, t)
     return out
 
 
@@ -103,7 +101,5 @@ def distances_at(tracks: Floats, bodies: Floats, pair: Ints, steps: Ints) -> Flo
     for c in range(steps.shape[0]):
         for n in range(steps.shape[1]):
             t = min(max(steps[c, n], 0), tracks.shape[3] - 1)
-            out[c, n] = box_distance(
-                track_box(tracks[c, one], body_a, t), track_box(tracks[c, two], body_b, t)
-            )
+            out[c, n] = _distance_at(tracks[c, one], tracks[c, two], body_a, body_b, t)
     return out

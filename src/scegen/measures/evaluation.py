@@ -10,7 +10,6 @@ from typing import NamedTuple
 import numpy as np
 
 from scegen.measures.bodies import body_of
-from scegen.measures.boxes import FRAME_ROWS, write_frames, write_separations
 from scegen.measures.distance import closest_approach
 from scegen.measures.drac import highest_drac
 from scegen.measures.following import write_gaps
@@ -107,36 +106,31 @@ def _evaluate(
     program: Program, candidates: Candidates, scene: Tables, scratch: BatchTraces, out: Summary
 ) -> None:
     tracks = scratch.tracks[0]
-    frames = np.empty((tracks.shape[0], FRAME_ROWS, tracks.shape[2]))
     room = np.empty(tracks.shape[2])
     for c in range(candidates.speed_mps.shape[0]):
         run_candidate(program, candidates, c, scratch.dt_s, tracks, scratch.fired_step[0])
-        _measure_one(tracks, scratch.dt_s, scene, frames, room, out, c)
+        _measure_one(tracks, scratch.dt_s, scene, room, out, c)
 
 
 @kernel
 def _measure(traces: BatchTraces, scene: Tables, out: Summary) -> None:
-    shape = traces.tracks.shape
-    frames = np.empty((shape[1], FRAME_ROWS, shape[3]))
-    room = np.empty(shape[3])
+    room = np.empty(traces.tracks.shape[3])
     for c in range(traces.tracks.shape[0]):
-        _measure_one(traces.tracks[c], traces.dt_s, scene, frames, room, out, c)
+        _measure_one(traces.tracks[c], traces.dt_s, scene, room, out, c)
 
 
 @kernel
 def _measure_one(
-    tracks: Floats, dt_s: float, scene: Tables, frames: Floats, room: Floats, out: Summary, c: int
+    tracks: Floats, dt_s: float, scene: Tables, room: Floats, out: Summary, c: int
 ) -> None:
     """Measure one candidate, whose tracks these are, into row ``c`` of the summary.
 
-    ``frames`` and ``room`` (steps,) are room to work in.
+    ``room`` (steps,) is room to work in.
     """
-    write_frames(tracks, scene.bodies, frames)
     for p in range(scene.pairs.shape[0]):
-        a, b = frames[scene.pairs[p, 0]], frames[scene.pairs[p, 1]]
+        a, b = tracks[scene.pairs[p, 0]], tracks[scene.pairs[p, 1]]
         body_a = body_of(scene.bodies, scene.pairs[p, 0])
         body_b = body_of(scene.bodies, scene.pairs[p, 1])
-        write_separations(a, b, room)
         distance, step, contact = closest_approach(a, b, body_a, body_b, room)
         last = step if contact else a.shape[1] - 1
         out.distance_m[c, p] = distance
@@ -152,7 +146,6 @@ def _measure_one(
             change = delta_v(speed, body_b.mass_kg, body_a.mass_kg)
             out.delta_v_mps[c, p, 1] = change
             out.injury[c, p, 1] = injury_probability(body_b, speed, change)
-        a, b = tracks[scene.pairs[p, 0]], tracks[scene.pairs[p, 1]]
         following = scene.following
         headway_a, drac_a, braking_a = _behind(
             a, b, body_a.front_m, dt_s, following.rear_m, following.first[p, 0], last, room

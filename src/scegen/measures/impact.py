@@ -12,15 +12,15 @@ an upper estimate for glancing impacts. Velocities are those of the reference po
 
 from math import sqrt
 
-from scegen.measures.boxes import VX, VY
+from scegen.measures.boxes import relative_velocity
 from scegen.motion.batch.arrays import Floats
 from scegen.motion.batch.kernels import inner_kernel
 
 
 @inner_kernel
 def relative_speed(a: Floats, b: Floats, t: int) -> float:
-    """Magnitude of the relative velocity of two frames at step t, m/s."""
-    vx, vy = b[VX, t] - a[VX, t], b[VY, t] - a[VY, t]
+    """Magnitude of the relative velocity of two tracks at step t, m/s."""
+    vx, vy = relative_velocity(a, b, t)
     return sqrt(vx * vx + vy * vy)
 
 

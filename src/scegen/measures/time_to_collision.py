@@ -14,7 +14,7 @@ from math import inf
 import numpy as np
 
 from scegen.measures.bodies import Body, body_of
-from scegen.measures.boxes import CX, CY, VX, VY, box_at, frames_of
+from scegen.measures.boxes import between_centres, relative_velocity, track_box
 from scegen.motion.batch.arrays import Floats, Ints
 from scegen.motion.batch.kernels import inner_kernel, kernel
 from scegen.motion.batch.touching import Box
@@ -61,17 +61,17 @@ def _overlap(
 def least_time_to_collision(
     a: Floats, b: Floats, body_a: Body, body_b: Body, last: int, worth_m2: Floats
 ) -> float:
-    """Smallest time to collision of two frames over the steps 0 to ``last``, s.
+    """Smallest time to collision of two tracks over the steps 0 to ``last``, s.
 
     ``worth_m2`` (steps,) is room to work in.
     """
     best = inf
     radii = body_a.radius_m + body_b.radius_m
-    _write_worth(a, b, radii * radii, worth_m2[: last + 1])
+    _write_worth(a, b, body_a, body_b, worth_m2[: last + 1])
     for t in range(last, -1, -1):  # the smallest is mostly late, and small ones spare the rest
         if worth_m2[t] == inf:
             continue
-        vx, vy = b[VX, t] - a[VX, t], b[VY, t] - a[VY, t]
+        vx, vy = relative_velocity(a, b, t)
         # Too far to touch earlier than the best, even between the circles around the boxes.
         reach = radii + best * (abs(vx) + abs(vy))
         if worth_m2[t] <= reach * reach:
@@ -80,30 +80,27 @@ def least_time_to_collision(
 
 
 @kernel
-def _write_worth(a: Floats, b: Floats, radii_m2: float, worth_m2: Floats) -> None:
+def _write_worth(a: Floats, b: Floats, body_a: Body, body_b: Body, worth_m2: Floats) -> None:
     """Squared distance of the centres where the circles around the boxes will touch, else inf.
 
     No branches, so that the processor takes several steps at once.
     """
+    radii = body_a.radius_m + body_b.radius_m
     for t in range(worth_m2.shape[0]):
-        dx, dy = b[CX, t] - a[CX, t], b[CY, t] - a[CY, t]
-        vx, vy = b[VX, t] - a[VX, t], b[VY, t] - a[VY, t]
+        dx, dy = between_centres(a, b, body_a.ahead_m, body_b.ahead_m, t)
+        vx, vy = relative_velocity(a, b, t)
         away = dx * dx + dy * dy
         cross = dx * vy - dy * vx
-        meets = cross * cross <= radii_m2 * (vx * vx + vy * vy)
-        worth = (away <= radii_m2) | (meets & (dx * vx + dy * vy < 0.0))
+        meets = cross * cross <= radii * radii * (vx * vx + vy * vy)
+        worth = (away <= radii * radii) | (meets & (dx * vx + dy * vy < 0.0))
         worth_m2[t] = away if worth else inf
 
 
 @inner_kernel
 def _time_at(a: Floats, b: Floats, body_a: Body, body_b: Body, t: int) -> float:
-    """Time to collision of two frames at step t, s."""
-    return box_time_to_collision(
-        box_at(a, body_a.half_length_m, body_a.half_width_m, t),
-        box_at(b, body_b.half_length_m, body_b.half_width_m, t),
-        b[VX, t] - a[VX, t],
-        b[VY, t] - a[VY, t],
-    )
+    """Time to collision of two tracks at step t, s."""
+    vx, vy = relative_velocity(a, b, t)
+    return box_time_to_collision(track_box(a, body_a, t), track_box(b, body_b, t), vx, vy)
 
 
 @kernel
@@ -112,10 +109,9 @@ def time_to_collision_series(tracks: Floats, bodies: Floats, pairs: Ints) -> Flo
     candidates, steps = tracks.shape[0], tracks.shape[3]
     out = np.empty((candidates, steps, pairs.shape[0]))
     for c in range(candidates):
-        frames = frames_of(tracks[c], bodies)
         for p in range(pairs.shape[0]):
             a, b = pairs[p, 0], pairs[p, 1]
             body_a, body_b = body_of(bodies, a), body_of(bodies, b)
             for t in range(steps):
-                out[c, t, p] = _time_at(frames[a], frames[b], body_a, body_b, t)
+                out[c, t, p] = _time_at(tracks[c, a], tracks[c, b], body_a, body_b, t)
     return out

@@ -5,16 +5,12 @@ Amounts that the text gives take the place of thresholds; these conditions hold 
 
 import numpy as np
 
-from scegen.claims.boxes import boxes, offset, same_way
+from scegen.claims.boxes import boxes, free_width_m, offset, same_way, seen
 from scegen.claims.hazards import thresholds as limits
 from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
-from scegen.claims.series import at, filled, first, least_lasting
+from scegen.claims.series import at, filled, first, greatest, least_lasting
 from scegen.claims.view import View
-from scegen.measures.bodies import body_of
-from scegen.measures.boxes import track_box
-from scegen.motion.batch.arrays import Floats, Ints
-from scegen.motion.batch.kernels import kernel
-from scegen.motion.batch.touching import place_in, reach_in
+from scegen.motion.batch.arrays import Floats
 
 _SAME_WAY = 0.9
 
@@ -26,37 +22,15 @@ def comes_in_ahead(view: View, by: str, to: str, _: Floats) -> Part:
     the other before.
     """
     touch_s = filled(view.of_pair("contact_s", by, to), np.inf)
-    who = view.index[by], view.index[to]
-    front, step = _front_as_it_comes(view.laid, *who, view.scene.bodies, touch_s, view.dt_s)
+    frame, box = boxes(view, to), boxes(view, by)
+    beside = free_width_m(frame, box) > 0.0
+    inside = ~beside & (same_way(frame, box) > _SAME_WAY)
+    comes_in = inside & np.diff(inside, axis=1, prepend=False)
+    comes_in &= np.maximum.accumulate(beside, axis=1)
+    comes_in &= view.time_of(np.arange(view.steps)) <= (touch_s + view.dt_s)[:, None]
+    front, step = greatest(np.where(comes_in, seen(frame, box).front, -np.inf))
     ahead = np.where(front > -np.inf, front, np.inf)
     return at_least("front ahead as it comes in", ahead, limits.AHEAD, view.time_of(step))
-
-
-@kernel
-def _front_as_it_comes(
-    tracks: Floats, by: int, to: int, bodies: Floats, touch_s: Floats, dt_s: float
-) -> tuple[Floats, Ints]:
-    """How far its front is ahead of the other's middle, at the most, m, and in which step (c,).
-
-    -inf where it does not come in from beside before they touch.
-    """
-    farthest, step = np.full(tracks.shape[0], -np.inf), np.zeros(tracks.shape[0], dtype=np.int64)
-    own, other = body_of(bodies, by), body_of(bodies, to)
-    for c in range(tracks.shape[0]):
-        was_beside, was_inside = False, False
-        for t in range(tracks.shape[3]):
-            if t * dt_s > touch_s[c] + dt_s:
-                break
-            frame, box = track_box(tracks[c, to], other, t), track_box(tracks[c, by], own, t)
-            (x, y), (along, across) = place_in(frame, box), reach_in(frame, box)
-            half = frame.half_width
-            beside = max(y - across - half, -half - (y + across)) > 0.0
-            inside = not beside and frame.cos * box.cos + frame.sin * box.sin > _SAME_WAY
-            was_beside = was_beside or beside
-            if was_beside and inside and not was_inside and x + along > farthest[c]:
-                farthest[c], step[c] = x + along, t
-            was_inside = inside
-    return farthest, step
 
 
 def merges_ahead(view: View, by: str, to: str, time_s: Floats) -> Part:

@@ -81,7 +81,7 @@ def run_candidate(
             elif state[i, 5] < 0.0:
                 state[i, 5] = t
             if t > 0 and state[i, 1] == 0.0 and tracks[i, SPEED, t - 1] == 0.0:
-                _stay(tracks, i, t)
+                tracks[i, :, t] = tracks[i, :, t - 1]
             else:
                 s = candidates.start_m[c, i] + state[i, 0]
                 tracks[i, S, t] = s
@@ -113,17 +113,6 @@ def _move(state: Floats, i: int, dt: float) -> None:
         else:
             state[i, 1] -= step
     state[i, 0] += state[i, 1] * dt
-
-
-@inner_kernel
-def _stay(tracks: Floats, i: int, t: int) -> None:
-    """Participant i has not moved in this step."""
-    tracks[i, S, t] = tracks[i, S, t - 1]
-    tracks[i, X, t] = tracks[i, X, t - 1]
-    tracks[i, Y, t] = tracks[i, Y, t - 1]
-    tracks[i, HEADING, t] = tracks[i, HEADING, t - 1]
-    tracks[i, COS, t] = tracks[i, COS, t - 1]
-    tracks[i, SIN, t] = tracks[i, SIN, t - 1]
 
 
 @inner_kernel

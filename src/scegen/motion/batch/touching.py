@@ -28,15 +28,6 @@ def place_in(frame: Box, box: Box) -> tuple[float, float]:
 
 
 @inner_kernel
-def reach_in(frame: Box, box: Box) -> tuple[float, float]:
-    """How far a box reaches from its centre along the heading of another, and across it (m)."""
-    cos = abs(frame.cos * box.cos + frame.sin * box.sin)
-    sin = abs(frame.cos * box.sin - frame.sin * box.cos)
-    along = box.half_length * cos + box.half_width * sin
-    return along, box.half_length * sin + box.half_width * cos
-
-
-@inner_kernel
 def boxes_touch(a: Box, b: Box) -> bool:
     """Whether two boxes share a point: no side of either separates them."""
     dx, dy = b.x - a.x, b.y - a.y
