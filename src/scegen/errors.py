@@ -47,7 +47,9 @@ class InputError(ScegenError):
     @classmethod
     def unwritable(cls, error: OSError, where: object, hint: str | None = None) -> Self:
         """A file or folder that cannot be written, and why the system says so."""
-        return cls(f"cannot be written: {error.strerror}", where=str(where), hint=hint)
+        # who copies a whole tree tells of every file in it: (from, to, why)
+        reason = error.strerror or error.args[0][0][-1]
+        return cls(f"cannot be written: {reason}", where=str(where), hint=hint)
 
 
 class NotTrafficError(InputError):

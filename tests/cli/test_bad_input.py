@@ -24,6 +24,7 @@ def assert_refused(done, words):
     [
         ("", "empty"),
         ("   \n ", "empty"),
+        ("A van turns left in Z\udcfcrich.", "broken characters"),
         ("Preheat the oven and whisk three eggs with sugar.", "traffic"),
         ("40 cars enter a four-way intersection.", "at most 24"),
         ("Two cars meet at a roundabout with 1 exit.", "1 exit"),
@@ -82,6 +83,7 @@ def test_an_unreadable_file_is_named(scegen, tmp_path):
             "fly",
         ),
         ("level: sublime\n", "level"),
+        ('{"level": "functional", "description": "\\ud800"}', "cannot be read"),
     ],
 )
 def test_broken_files_are_named(scegen, tmp_path, content, words):

@@ -351,3 +351,25 @@ def test_numbers_given_are_searched_only_on_request(scegen, tmp_path):
     data = json.loads(proof.read_text())
     assert data["in_band"]
     assert data["changed"]
+
+
+def test_a_minus_stands_for_what_comes_on_standard_input(scegen, tmp_path):
+    told = b"\xef\xbb\xbfA van turns left at a crossroads.\r\n"
+    said = scegen("understand", "A van turns left at a crossroads.").stdout
+    assert scegen("understand", "-", stdin=told).stdout == said
+    counted = scegen("enumerate", "-", "--count-only", stdin=said.encode())
+    assert counted.stdout == scegen("enumerate", "-", "--count-only", stdin=told).stdout
+    logical = tmp_path / "logical.json"
+    assert scegen("enumerate", "-", "-o", logical, stdin=told).returncode == 0
+    quick = ("--check", "none", "--target", "none", "-o", "out")
+    assert scegen("generate", "-", *quick, stdin=logical.read_bytes()).returncode == 0
+    refused = scegen("understand", "-", "--report", stdin=b"Whisk three eggs.")
+    assert refused.stdout.startswith("Whisk three eggs.\nnot about traffic")
+
+
+def test_results_are_utf8_in_every_locale(scegen):
+    plain = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
+    told = "A van turns left at a crossroads in Zürich.".encode()
+    done = scegen("understand", "-", process=True, stdin=told, **plain)
+    assert done.returncode == 0, done.stderr
+    assert "Zürich" in done.stdout

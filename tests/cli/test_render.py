@@ -63,6 +63,10 @@ def test_a_video_is_the_same_every_time(scegen, made):
         (("-o", "film.avi"), "no .gif, .mp4 or .png"),
         (("--png", "-o", "film.gif"), "no .png"),
         (("--from", "3", "--to", "2"), "not after --from"),
+        (("--to", "0"), "not after --from 0 s"),
+        (("--from", "500"), "lies beyond the end"),
+        (("--png", "--at", "500"), "lies beyond the end"),
+        (("--at", "3"), "is the moment of a .png"),
         (("--scenario", "nobody"), "there is no scenario"),
     ],
 )

@@ -6,7 +6,7 @@ import subprocess
 import sys
 import traceback
 from contextlib import chdir
-from io import StringIO
+from io import BytesIO, TextIOWrapper
 from pathlib import Path
 from unittest.mock import patch
 
@@ -17,19 +17,21 @@ SOURCE = str(Path(scegen.__file__).parents[1])
 PROGRAM = "from scegen.cli import main; main()"
 
 
-def as_process(arguments, folder, environment, program=PROGRAM):
+def as_process(arguments, folder, environment, program=PROGRAM, stdin=b""):
     """What a program prints, and its exit code, where it starts from nothing."""
-    return subprocess.run(
+    done = subprocess.run(
         [sys.executable, "-c", program, *map(str, arguments)],
         capture_output=True,
-        text=True,
+        input=stdin,
         cwd=folder,
         env={**environment, "PYTHONPATH": SOURCE},
         check=False,
     )
+    told = (stream.decode().replace("\r\n", "\n") for stream in (done.stdout, done.stderr))
+    return subprocess.CompletedProcess(done.args, done.returncode, *told)
 
 
-def in_process(arguments, folder, environment, capfd):
+def in_process(arguments, folder, environment, capfd, stdin=b""):
     """The same, without loading everything again."""
     arguments = [str(argument) for argument in arguments]
     thresholds = gc.get_threshold()
@@ -38,7 +40,7 @@ def in_process(arguments, folder, environment, capfd):
         chdir(folder),
         patch.dict(os.environ, environment, clear=True),
         patch.object(sys, "argv", ["scegen", *arguments]),
-        patch.object(sys, "stdin", StringIO()),
+        patch.object(sys, "stdin", TextIOWrapper(BytesIO(stdin))),
     ):
         try:
             main()

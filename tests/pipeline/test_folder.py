@@ -1,6 +1,7 @@
 """The output folder is written whole or not at all, and nobody's edits are lost."""
 
 import json
+import resource
 from pathlib import Path
 
 import pytest
@@ -156,3 +157,15 @@ def test_a_recorded_picture_is_ours_until_somebody_changes_it(tmp_path):
         require_usable(out, force=False)
     record(make(tmp_path / "elsewhere", film="picture") / "film")  # nothing to tell
     assert [p.name for p in (tmp_path / "elsewhere").iterdir()] == ["film"]
+
+
+def test_a_full_disk_is_told_and_leaves_nothing(tmp_path):
+    staged = make(tmp_path / "staged", report="longer than there is room for")
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (8, before[1]))
+    try:
+        with pytest.raises(InputError, match=r"cannot be written: .*File too large"):
+            replace_content(tmp_path / "out", staged)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+    assert not (tmp_path / "out").exists()

@@ -31,7 +31,7 @@ def test_the_ego_is_found():
         ),
         (
             {"participants": (Participant(id="a", role="ego"), Participant(id="a"))},
-            "two participants are called 'a'",
+            "two participants or objects are called 'a'",
         ),
         ({"hazards": (Hazard(kind="speeding", by=("ghost",)),)}, "unknown participant 'ghost'"),
         (
@@ -45,6 +45,10 @@ def test_the_ego_is_found():
         (
             {"participants": (Participant(id="ego", role="ego", circulating=True),)},
             "ego is circulating, but junction.kind is not roundabout",
+        ),
+        (
+            {"participants": (Participant(id="ego", role="ego", crosses="entry"),)},
+            "ego has `crosses`, but it does not cross",
         ),
     ],
 )
@@ -72,6 +76,11 @@ def test_contradictions_are_refused(changes, words):
 def test_junctions_must_fit_their_kind(fields, words):
     with pytest.raises(ValidationError, match=words):
         Junction(**fields)
+
+
+def test_who_is_parked_does_not_turn():
+    with pytest.raises(ValidationError, match="car_1 is parked: its maneuvers are of lane_change"):
+        Participant(id="car_1", parked=True, maneuvers={"left"})
 
 
 def test_stated_fields_need_words_and_others_a_reason():

@@ -71,10 +71,9 @@ def find_subjects(path: Path) -> list[Subject]:
     # One of them alone may be anybody's, and of two the third is missed.
     if sum((path / name).exists() for name in (ROAD_FILE, SCENARIO_FILE, CONCRETE_FILE)) > 1:
         return [read_folder(path)]
-    if (made := path / "scenarios").is_dir():  # each is one, whatever it lacks
-        folders = sorted(p for p in made.iterdir() if p.is_dir())
-    else:
-        folders = sorted(p.parent for p in path.glob(f"*/{SCENARIO_FILE}"))
+    folders = [p for p in path.glob("scenarios/*/") if p.is_dir()]  # whatever they lack
+    folders = folders or [p for p in path.glob("*/scenarios/*/") if p.is_dir()]
+    folders = sorted(folders or (p.parent for p in path.glob(f"*/{SCENARIO_FILE}")))
     if folders:
         return [read_folder(folder) for folder in folders]
     files = sorted(p for p in path.iterdir() if p.suffix.lower() in SUFFIXES)

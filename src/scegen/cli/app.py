@@ -5,6 +5,7 @@ import gc
 import os
 import re
 import sys
+from io import TextIOWrapper
 from typing import Annotated, Any
 
 import typer
@@ -112,6 +113,9 @@ def main() -> None:
     # Loading makes hundreds of thousands of objects that live to the end: looking through them
     # for garbage again and again costs a tenth of a short run.
     gc.set_threshold(_OBJECTS_BEFORE_COLLECTING)
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, TextIOWrapper):  # results are UTF-8 in every locale, as files are
+            stream.reconfigure(encoding="utf-8")
     atexit.register(_leave_garbage)
     try:
         app()

@@ -43,7 +43,10 @@ MOST_COMPARED = 200_000
 
 def enumerate_(
     source: Annotated[
-        str | None, typer.Argument(metavar="FUNCTIONAL|TEXT", help="functional.yaml or a text.")
+        str | None,
+        typer.Argument(
+            metavar="FUNCTIONAL|TEXT|-", help="functional.yaml or a text; - reads standard input."
+        ),
     ] = None,
     reduction: ReductionOption = Reduction.EXACT,
     arms: ArmsOption = ArmsMode.DISTINCT,

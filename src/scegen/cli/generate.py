@@ -34,8 +34,9 @@ def generate(
     source: Annotated[
         str,
         typer.Argument(
-            metavar="TEXT|FILE",
-            help="A description, or a file: text, functional.yaml, logical.json, concrete.yaml.",
+            metavar="TEXT|FILE|-",
+            help="A description, or a file: text, functional.yaml, logical.json, concrete.yaml; "
+            "- reads standard input.",
         ),
     ],
     output: Annotated[Path, typer.Option("--output", "-o", help="Folder to make.")],

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rich.console import Console
@@ -37,13 +36,10 @@ def show_report(
     _show(report_on(functional, disagreements), as_json)
 
 
-def show_refusal(source: str, error: InputError, *, as_json: bool = False) -> None:
+def show_refusal(text: str, error: InputError, *, as_json: bool = False) -> None:
     """Prints the report on a description that contradicts itself, or is not about traffic."""
-    from scegen.scenario.files import read_text
     from scegen.understanding import ParseReport, report_on_contradiction
 
-    file = "\n" not in source and len(source) < 1024 and Path(source).is_file()
-    text = read_text(Path(source)) if file else source
     if isinstance(error, InfeasibleError):
         _show(report_on_contradiction(text, error), as_json)
     elif isinstance(error, NotTrafficError):

@@ -10,7 +10,10 @@ from scegen.cli.options import ScenarioOption
 
 
 def play(
-    folder: Annotated[Path, typer.Argument(help="A scenario folder, or one made by generate.")],
+    folder: Annotated[
+        Path,
+        typer.Argument(metavar="DIR", help="A scenario folder, or one made by generate."),
+    ],
     scenario: ScenarioOption = None,
     headless: Annotated[bool, typer.Option("--headless", help="Play without a window.")] = False,
 ) -> None:

@@ -56,18 +56,23 @@ def render(
     """Render a scenario as animated GIF, video or a still picture."""
     from scegen.checking.subject import CONCRETE_FILE
     from scegen.pipeline.folder import record
-    from scegen.pipeline.rendering import RATES, rendered
+    from scegen.pipeline.rendering import PNG, RATES, rendered
     from scegen.report.film import Cut
     from scegen.report.theme import THEMES
     from scegen.scenario.concrete import ConcreteScenario
     from scegen.scenario.files import load
 
     ending = _ending(output, gif=gif, mp4=mp4, png=png)
-    if begin is not None and end is not None and end <= begin:
-        raise InputError(f"ends at {end:g} s, not after --from {begin:g} s", where="--to")
+    if end is not None and end <= (begin or 0.0):
+        raise InputError(f"ends at {end:g} s, not after --from {begin or 0.0:g} s", where="--to")
+    if at is not None and ending != PNG:
+        raise InputError(f"is the moment of a .png, not of a .{ending}", where="--at")
     source = scenario_file(place, CONCRETE_FILE, scenario)
     target = output or source.with_name(f"{_NAME}.{ending}")
     concrete = load(source, ConcreteScenario)
+    for option, moment_s in (("--from", begin), ("--at", at)):
+        if moment_s is not None and moment_s > concrete.duration_s:
+            raise InputError(f"lies beyond the end, {concrete.duration_s:g} s", where=option)
     if at is not None:
         begin, end = at, max(end or at, at)
     cut = Cut(begin, end, fps or RATES[ending], speed, 2 * (width // 2))

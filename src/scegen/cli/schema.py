@@ -10,7 +10,7 @@ from scegen.cli.console import result_json
 def schema(
     level: Annotated[
         Literal["functional", "logical", "concrete", "campaign"],
-        typer.Argument(help="What the files hold."),
+        typer.Argument(metavar="LEVEL", help="functional, logical, concrete or campaign."),
     ],
 ) -> None:
     """Print the JSON Schema of a level."""

@@ -1,6 +1,6 @@
 """scegen understand: text to functional scenario."""
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -10,10 +10,15 @@ from scegen.cli.options import JsonFlag, OutputFile
 from scegen.cli.parse_report import show_refusal, show_report, tell_unsupported
 from scegen.errors import InputError
 
+if TYPE_CHECKING:
+    from scegen.scenario.functional import FunctionalScenario
+
 
 @asks_models
 def understand(
-    text: Annotated[str, typer.Argument(metavar="TEXT|FILE", help="A description.")],
+    source: Annotated[
+        str, typer.Argument(metavar="TEXT|FILE|-", help="A description; - reads standard input.")
+    ],
     json: JsonFlag = False,
     output: OutputFile = None,
     report: Annotated[
@@ -25,20 +30,28 @@ def understand(
     """Understand a description: text to functional scenario, with the words it rests on."""
     from scegen.pipeline.source import functional_of
     from scegen.scenario.files import to_json, to_yaml
+    from scegen.understanding import read
 
     settings = models.settings()
     listener = None
+    told = ""
+
+    def heard(description: str) -> FunctionalScenario:
+        nonlocal told
+        told = description
+        return (listener or read)(description)
+
     try:
         if settings is None:
-            functional = functional_of(text)
+            functional = functional_of(source, heard)
         else:
             with working() as progress:
                 listener = Listener(settings, progress)
-                functional = functional_of(text, listener)
+                functional = functional_of(source, heard)
             tell(listener.understanding)
     except InputError as error:
         if report:
-            show_refusal(text, error, as_json=json)
+            show_refusal(told, error, as_json=json)
         raise
     if report:
         understood = listener and listener.understanding

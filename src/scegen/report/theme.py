@@ -108,11 +108,14 @@ THEMES = {theme.name: theme for theme in (LIGHT, DARK)}
 
 
 def css() -> str:
-    """Both variants as CSS: what the system prefers, unless ``data-theme`` on an element says."""
+    """Both variants as CSS: what the system prefers, unless ``data-theme`` on an element says.
+
+    Paper is light.
+    """
     light, dark = _block(LIGHT), _block(DARK)
     return (
         f":root, [data-theme='light'] {{ color-scheme: light; {light} }}\n"
-        f"@media (prefers-color-scheme: dark) {{ :root:not([data-theme]) "
+        f"@media screen and (prefers-color-scheme: dark) {{ :root:not([data-theme]) "
         f"{{ color-scheme: dark; {dark} }} }}\n"
         f"[data-theme='dark'] {{ color-scheme: dark; {dark} }}\n"
     )

@@ -45,6 +45,7 @@ from scegen.scenario.vocabulary import (
 MOST_GREEN_DELAY_S = 10.0
 _SHOWN = 4
 """Phrases that a line names."""
+_OF_PARKED = {Maneuver.STAY, Maneuver.STRAIGHT, Maneuver.LANE_CHANGE, Maneuver.U_TURN}
 
 
 class Participant(CheckedModel):
@@ -96,6 +97,8 @@ class Participant(CheckedModel):
             yield f"{self.id}: green_delay_s is of one who waits for green, with `light: waits`"
         if self.on_call and self.kind is not ParticipantKind.EMERGENCY_VEHICLE:
             yield f"{self.id}: only an emergency_vehicle is on call, not a {self.kind}"
+        if self.parked and not self.maneuvers <= _OF_PARKED:
+            yield f"{self.id} is parked: its maneuvers are of {', '.join(sorted(_OF_PARKED))}"
 
     @property
     def body(self) -> Body:
@@ -143,9 +146,7 @@ class Group(CheckedModel):
 
 def _twice(names: Collection[str]) -> str | None:
     """The first name that stands there more than once."""
-    if len(set(names)) == len(names):
-        return None
-    return next(name for name, times in Counter(names).items() if times > 1)
+    return next((name for name, times in Counter(names).items() if times > 1), None)
 
 
 class FunctionalScenario(CheckedModel):
@@ -178,9 +179,9 @@ class FunctionalScenario(CheckedModel):
 
     def misfits(self) -> Iterator[str]:
         """See CheckedModel."""
-        ids = [p.id for p in self.participants]
+        ids = [*(p.id for p in self.participants), *(thing.id for thing in self.objects)]
         if doubled := _twice(ids):
-            yield f"two participants are called {doubled!r}"
+            yield f"two participants or objects are called {doubled!r}"
         egos = [p.id for p in self.participants if p.role is Role.EGO]
         if len(egos) != 1:
             named = ", ".join(egos) or "none"
@@ -198,11 +199,9 @@ class FunctionalScenario(CheckedModel):
                 )
             if participant.circulating and self.junction.kind is not JunctionKind.ROUNDABOUT:
                 yield f"{participant.id} is circulating, but junction.kind is not roundabout"
+            if participant.crosses is not None and participant not in self.crossers:
+                yield f"{participant.id} has `crosses`, but it does not cross"
             yield from self._has_a_light(participant)
-        for thing in self.objects:
-            if thing.id in ids:
-                yield f"an object has the name of another, {thing.id!r}"
-            ids.append(thing.id)
         yield from self._names_known(ids)
 
     def _has_a_light(self, participant: Participant) -> Iterator[str]:

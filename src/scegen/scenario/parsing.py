@@ -17,7 +17,8 @@ MOST_REPEATED = 100_000
 
 _Base = yaml.CSafeLoader if yaml.__with_libyaml__ else yaml.SafeLoader
 _CANNOT_BE_MADE = (ValueError, LookupError, ArithmeticError, AttributeError, TypeError)
-"""What PyYAML and json let through: ``!!int x``, the date 2024-13-45, numbers of 5,000 digits."""
+"""What PyYAML and json let through: ``!!int x``, the date 2024-13-45, numbers of 5,000 digits,
+half a character."""
 _JSON = re.compile(r'\s*[{\[]\s*["{\[\]}]')
 """How JSON begins; ``{a: 1}`` and ``[a]`` are YAML."""
 
@@ -44,7 +45,10 @@ def parse(text: str, *, where: str) -> object:
     """
     try:
         if _JSON.match(text):
-            return json.loads(text, object_pairs_hook=_object(where))
+            data = json.loads(text, object_pairs_hook=_object(where))
+            if "\\u" in text:  # a half of a pair is no character
+                json.dumps(data, ensure_ascii=False).encode()
+            return data
         _require_bounded(text, where)
         return yaml.load(text, _Loader)  # noqa: S506 - a safe loader
     except yaml.YAMLError as error:

@@ -105,6 +105,9 @@ def read(text: str) -> FunctionalScenario:
             hint="Describe a traffic situation in a sentence, for example 'Two cars meet at a "
             "four-way intersection.'",
         )
+    if any("\ud800" <= character <= "\udfff" for character in text):
+        msg = "holds broken characters: it, or the terminal, is not in UTF-8"
+        raise InputError(msg, where="description", hint="hand it in as a file in UTF-8")
     if len(text) > MAX_CHARACTERS:
         msg = f"the description has {len(text)} characters, more than {MAX_CHARACTERS}"
         raise InputError(msg, where="description", hint="Describe one situation at a time.")

@@ -26,6 +26,7 @@ _LEVELS = {
     "proof.json": "proof: every statement and danger",
     "road.xodr": "OpenDRIVE",
     "scenario.xosc": "OpenSCENARIO",
+    "scenario-esmini.xosc": "the same with lights that esmini shows",
     "preview.png": "picture",
     "report.html": "report, opens offline",
     "gallery.svg": "all logical scenarios",
