@@ -49,6 +49,23 @@ def test_what_does_not_hold_is_named_with_its_words(folder):
     assert "50 km/h" in finding.message
 
 
+@pytest.mark.parametrize(
+    ("name", "told", "changed"),
+    [
+        ("concrete.yaml", "weather: null", "weather: rain"),
+        ("scenario.xosc", 'maxSpeed="60.0"', 'maxSpeed="61.0"'),
+    ],
+)
+def test_weather_is_not_judged_by_numbers_that_the_file_is_not_of(folder, name, told, changed):
+    file = folder / name
+    text = file.read_text()
+    assert told in text
+    file.write_text(text.replace(told, changed))
+    result = said(folder)
+    assert result.status is CheckStatus.NOT_RUN
+    assert [finding.rule for finding in result.findings] == ["said.file"]
+
+
 def test_without_a_description_nothing_is_judged(folder):
     (folder.parent.parent / "functional.yaml").unlink()
     result = said(folder)

@@ -7,7 +7,15 @@ from scegen.checking import asam, opendrive, openscenario, parameters, replay, s
 from scegen.checking import esmini as player
 from scegen.checking.esmini.playing import play_once
 from scegen.checking.opendrive.network import Network
-from scegen.checking.results import CheckReport, CheckResult, error, not_run, verdict
+from scegen.checking.results import (
+    CheckReport,
+    CheckResult,
+    CheckStatus,
+    error,
+    not_run,
+    unchecked,
+    verdict,
+)
 from scegen.checking.subject import File, Subject, find_subjects, read_folder
 from scegen.errors import ScegenError
 from scegen.export.openscenario import write_openscenario
@@ -29,6 +37,11 @@ REPLAY = replay.CHECKER
 QUICK_CHECKERS = tuple(name for name in CHECKERS if not name.startswith("asam"))
 """Without ASAM's, which cost more than all the rest together."""
 UNSOUND = "the file was not handed on: it is not XML that can be trusted"
+_STALE = unchecked(
+    "said.file",
+    "weather, lights and roads",
+    "judged by concrete.yaml, which does not give this scenario file; generate it anew",
+)
 
 
 def check_folder(folder: Path, checkers: Collection[str] = CHECKERS) -> CheckReport:
@@ -121,7 +134,9 @@ def _played(
         else:
             yield replay.check_replay(scenario.path, subject.concrete, once)
     if said.CHECKER in asked:
-        yield said.check_said(subject, scenario.path, outside, once)
+        judged = said.check_said(subject, scenario.path, outside, once)
+        stale = judged.status is CheckStatus.PASSED and scenario.content not in _given(subject)
+        yield verdict(said.CHECKER, [_STALE], judged.detail) if stale else judged
 
 
 def _asam(subjects: list[Subject], checkers: Collection[str]) -> list[list[CheckResult]]:
@@ -147,19 +162,13 @@ def _prepare(subject: Subject, checkers: Collection[str]) -> tuple[asam.Job, lis
     job = asam.Job(
         road=road.content if road else None,
         scenario=scenario.content if scenario else None,
-        road_file=road.name if road else "road.xodr",
+        road_file=subject.road_name,
         check_road=asam.OPENDRIVE in asked,
     )
     if scenario is None or subject.concrete is None:
         return job, results
     try:
-        outside = openscenario.driven_from_outside(scenario.name, scenario.content)
-        ego, road_file = "external" if outside else "scripted", job.road_file
-        paths = build_paths(subject.concrete, build_network(subject.concrete.road))
-        played, twin = (
-            write_openscenario(subject.concrete, paths, road_file=road_file, version=v, ego=ego)
-            for v in ("1.0", "1.2")
-        )
+        played, twin = _given(subject)
     except ScegenError as problem:
         failed = error("asam.twin", "concrete.yaml", f"cannot be built: {problem.message}")
         return job._replace(scenario=None), [*results, verdict(asam.OPENSCENARIO, [failed])]
@@ -169,3 +178,19 @@ def _prepare(subject: Subject, checkers: Collection[str]) -> tuple[asam.Job, lis
         note = "scenario.xosc is not what concrete.yaml gives, so no 1.2 twin speaks for it"
         return job._replace(scenario_note=note), results
     return job._replace(scenario=twin, scenario_note="on the 1.2 twin"), results
+
+
+def _given(subject: Subject) -> Iterator[bytes]:
+    """The scenario file that concrete.yaml gives: of OpenSCENARIO 1.0, then of 1.2.
+
+    Raises:
+        RoadInfeasibleError, MotionInfeasibleError: the numbers cannot be built.
+    """
+    concrete, scenario = subject.concrete, subject.scenario
+    if concrete is None or scenario is None:
+        return
+    outside = openscenario.driven_from_outside(scenario.name, scenario.content)
+    ego, road_file = "external" if outside else "scripted", subject.road_name
+    paths = build_paths(concrete, build_network(concrete.road))
+    for version in ("1.0", "1.2"):
+        yield write_openscenario(concrete, paths, road_file=road_file, version=version, ego=ego)

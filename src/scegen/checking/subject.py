@@ -53,6 +53,11 @@ class Subject:
     brought_together: tuple[str, ...] = ()
 
     @property
+    def road_name(self) -> str:
+        """What its road is called, or would be."""
+        return self.road.name if self.road else ROAD_FILE
+
+    @property
     def files(self) -> tuple[File, ...]:
         """The files that are there."""
         return tuple(file for file in (self.road, self.scenario, self.values) if file is not None)

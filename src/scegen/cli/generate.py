@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from scegen.cli.console import result, say, working
-from scegen.cli.llm import Asked, Listener, asks_models, tell, tell_proposals
+from scegen.cli.llm import Asked, Listener, asks_models, tell_proposals
 from scegen.cli.options import (
     ArmsOption,
     ReductionOption,
@@ -100,17 +100,14 @@ def generate(
             where=where,
             rules=rules_of(rules),
         )
-        if settings is None:
-            made = run(resolve_source(source), output, options, progress, origin=origin_of(source))
-        else:
-            require_usable(output, force=force)  # before a model is paid for
-            listener = Listener(settings, progress)
-            scenario = resolve_source(source, listener)
-            tell(listener.understanding)
-            made = run(
-                scenario, output, options, progress, listener.understanding, listener.session
-            )
-            tell_proposals(listener.session, made.proofs.values())
+        require_usable(output, force=force)  # before a model is paid for
+        listener = Listener(settings, progress)
+        scenario, origin = resolve_source(source, listener), origin_of(source)
+        listener.tell()
+        understanding, session = listener.understanding, listener.session
+        made = run(scenario, output, options, progress, understanding, session, origin)
+        if session is not None:
+            tell_proposals(session, made.proofs.values())
     if json:
         result((output / "summary.json").read_text(encoding="utf-8"))
     else:

@@ -114,45 +114,56 @@ def asks_models(command: Callable[..., None]) -> Callable[..., None]:
 
 
 class Listener:
-    """Understands descriptions with language models, and remembers the last understanding.
+    """Understands descriptions, with language models if they are asked for.
 
-    ``session`` goes on to the stages after it.
+    The last ``text`` is remembered, and what models made of it; their ``session`` goes on to the
+    stages after it.
     """
 
-    def __init__(self, settings: LlmSettings, progress: Callable[[str], None]) -> None:
-        from scegen.llm import Session
-
-        self.session = Session(settings)
-        self._progress = progress
+    def __init__(self, settings: LlmSettings | None, progress: Callable[[str], None]) -> None:
+        self.session: Session | None = None
         self.understanding: Understanding | None = None
+        self.text = ""
+        self._progress = progress
+        if settings is not None:
+            from scegen.llm import Session
+
+            self.session = Session(settings)
 
     def __call__(self, text: str) -> FunctionalScenario:
         """The functional scenario of a description."""
+        self.text = text
+        if self.session is None:
+            from scegen.understanding import read
+
+            return read(text)
         from scegen.understanding.agents import understand_in
 
         self.understanding = understand_in(self.session, text, self._progress)
         return self.understanding.functional
 
-
-def tell(understanding: Understanding | None) -> None:
-    """Who spoke, what went wrong, what was not agreed on, and what it took."""
-    if understanding is None:
-        say("the source is a scenario file: no language model was asked to understand it")
-        return
-    for fault in understanding.faults:
-        warn(fault.in_words())
-        if fault.hint:
-            say(f"  {fault.hint}")
-    if understanding.fell_back:
-        warn("no language model gave a usable answer: the offline reader understood the text")
-    for item in understanding.disagreements:
-        say(
-            f'disagreement on {item.field} ("{item.words}"): reader {item.reader}, '
-            f"agents {item.agents}; kept: {item.kept} ({item.reason})"
-        )
-    for note in understanding.notes:
-        say(note)
-    say(f"understood by {understanding.speaker}: {understanding.usage.in_words()}")
+    def tell(self) -> None:
+        """Which models spoke, what went wrong, what was not agreed on, and what it took."""
+        if self.session is None:
+            return
+        if self.understanding is None:
+            say("the source is a scenario file: no language model was asked to understand it")
+            return
+        for fault in self.understanding.faults:
+            warn(fault.in_words())
+            if fault.hint:
+                say(f"  {fault.hint}")
+        if self.understanding.fell_back:
+            warn("no language model gave a usable answer: the offline reader understood the text")
+        for item in self.understanding.disagreements:
+            say(
+                f'disagreement on {item.field} ("{item.words}"): reader {item.reader}, '
+                f"agents {item.agents}; kept: {item.kept} ({item.reason})"
+            )
+        for note in self.understanding.notes:
+            say(note)
+        usage = self.understanding.usage.in_words()
+        say(f"understood by {self.understanding.speaker}: {usage}")
 
 
 def tell_proposals(session: Session, proofs: Iterable[Proof]) -> None:

@@ -1,17 +1,14 @@
 """scegen understand: text to functional scenario."""
 
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from scegen.cli.console import working, write_bytes
-from scegen.cli.llm import Asked, Listener, asks_models, tell
+from scegen.cli.llm import Asked, Listener, asks_models
 from scegen.cli.options import JsonFlag, OutputFile
 from scegen.cli.parse_report import show_refusal, show_report, tell_unsupported
 from scegen.errors import InputError
-
-if TYPE_CHECKING:
-    from scegen.scenario.functional import FunctionalScenario
 
 
 @asks_models
@@ -30,31 +27,18 @@ def understand(
     """Understand a description: text to functional scenario, with the words it rests on."""
     from scegen.pipeline.source import functional_of
     from scegen.scenario.files import to_json, to_yaml
-    from scegen.understanding import read
 
-    settings = models.settings()
-    listener = None
-    told = ""
-
-    def heard(description: str) -> FunctionalScenario:
-        nonlocal told
-        told = description
-        return (listener or read)(description)
-
-    try:
-        if settings is None:
-            functional = functional_of(source, heard)
-        else:
-            with working() as progress:
-                listener = Listener(settings, progress)
-                functional = functional_of(source, heard)
-            tell(listener.understanding)
-    except InputError as error:
-        if report:
-            show_refusal(told, error, as_json=json)
-        raise
+    with working() as progress:
+        listener = Listener(models.settings(), progress)
+        try:
+            functional = functional_of(source, listener)
+        except InputError as error:
+            if report:
+                show_refusal(listener.text, error, as_json=json)
+            raise
+    listener.tell()
     if report:
-        understood = listener and listener.understanding
+        understood = listener.understanding
         show_report(functional, understood.disagreements if understood else (), as_json=json)
         return
     tell_unsupported(functional)
