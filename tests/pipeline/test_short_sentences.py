@@ -22,6 +22,8 @@ ENDS = ("and the ego, at 60 km/h, hits it", "and the ego, at 60 km/h, nearly hit
         "and the ego, at 60 km/h, avoids a collision")  # fmt: skip
 SENTENCES = (
     "The ego turns left at a crossroads with a stop sign.",
+    "A car runs a red light.",
+    "The ego ignores the stop sign and goes straight.",
     "The ego drives at 50 km/h and a car hits it from behind.",
     "The ego stops for a pedestrian and is rear-ended.",
     "The ego is overtaken on the left while the car ahead brakes.",

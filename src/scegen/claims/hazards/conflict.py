@@ -81,20 +81,21 @@ def drives_on(view: View, by: str, to: str) -> list[Part]:
         near = (place > way.turn_start_m - _BEFORE_LINE_M) & (place < way.turn_start_m)
     else:
         # One who comes to the ground that both use has driven on, even if it stops there.
-        shared = [area.enter_m for area in view.areas(by, to)]
+        shared = [area.enter_m for area in view.areas(by, to)] if by != to else []
         until = max(min(shared), way.turn_start_m + _IN_M) if shared else way.turn_end_m
         near = (place > way.turn_start_m - _BEFORE_LINE_M) & (place < until)
     speed, step = least(np.where(near, view.speed_mps(by), np.inf))
     at_line, time_s = "slowest speed at the line", view.time_of(step)
-    return [closeness(view, by, to), at_least(at_line, speed, limits.DRIVES_ON, time_s, bound)]
+    passes = at_least(at_line, speed, limits.DRIVES_ON, time_s, bound)
+    return [passes] if by == to else [closeness(view, by, to), passes]
 
 
 def does_not_yield(view: View, by: str, to: str) -> list[Part]:
     """It drives on, before the other."""
-    return [*drives_on(view, by, to), *_in_time(view, by, to)]
+    return [*drives_on(view, by, to), *(_in_time(view, by, to) if by != to else ())]
 
 
 MERGING = Predicate(conflict, order=merges_ahead)
 BEFORE = Predicate(before)
-DRIVES_ON = Predicate(drives_on)
-DOES_NOT_YIELD = Predicate(does_not_yield)
+DRIVES_ON = Predicate(drives_on, before_nobody=True)
+DOES_NOT_YIELD = Predicate(does_not_yield, before_nobody=True)

@@ -14,9 +14,10 @@ from scegen.claims.hazards.table import PREDICATES
 from scegen.claims.series import chosen
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Floats
+from scegen.scenario.control import STOPS
 from scegen.scenario.functional import Hazard
 from scegen.scenario.proof import HazardProof, PartProof
-from scegen.scenario.vocabulary import HazardKind
+from scegen.scenario.vocabulary import Control, HazardKind
 
 _ANY_CULPRIT = frozenset({HazardKind.OCCLUSION})
 """One of several parked cars that hides the other is enough."""
@@ -110,6 +111,11 @@ def judge(view: View, hazard: Hazard, candidate: int = 0) -> HazardProof:
     )
 
 
+def _stopped(view: View) -> bool:
+    """Whether there is but one on the road, and a sign or light that says stop."""
+    return len(view.index) == 1 and view.concrete.road.control in {*STOPS, Control.SIGNALS}
+
+
 def number(value: float) -> float | None:
     """A value as written to files; None where it is undefined or infinite."""
     return round(float(value), 4) if isfinite(value) else None
@@ -119,7 +125,8 @@ def _couples(view: View, hazard: Hazard) -> Iterator[list[Couple]]:
     """By cause, the couples with every sufferer."""
     groups: dict[str, list[Couple]] = {}
     predicate = PREDICATES[hazard.kind]
-    for by, to in hazard_pairs(hazard):
+    alone = [(by, by) for by in hazard.by if predicate.before_nobody and _stopped(view)]
+    for by, to in hazard_pairs(hazard) or alone:
         parts = predicate.test(view, by, to)
         if predicate.order is not None and by != to:
             parts = [*parts, predicate.order(view, by, to, parts[0].time_s)]

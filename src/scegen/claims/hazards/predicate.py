@@ -42,11 +42,13 @@ class Predicate:
 
     ``pairwise``: between two; else one alone does it. ``conflict``: those two come near each
     other by it, so that a target is about them. ``order``: a condition that no amounts replace.
+    ``before_nobody``: who is alone on the road does it before a sign or light that says stop, too.
     """
 
     test: Test
     pairwise: bool = True
     conflict: bool = True
+    before_nobody: bool = False
     order: Order | None = None
 
 
