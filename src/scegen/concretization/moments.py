@@ -45,6 +45,8 @@ def during_s(scene: Setup, act: Act) -> tuple[float, float]:
     if phase is not None:
         return late + phase.begins_s, late + course.profile.settles_s(phase.begins_s)
     marked = [mark.s_m for mark in draft.steps if mark.act == act.id]
+    if act.kind is ActKind.WAIT:  # by the rules of the road
+        marked += [mark.s_m for mark in draft.road_changes() if mark.target_mps == 0.0]
     begins = late + course.time_at(marked[0] if marked else _comes_in_m(draft, act))
     return begins, begins
 

@@ -121,8 +121,8 @@ class Tale:
         return implied_limit_mps(self.functional)
 
     def act(self, name: str) -> Act:
-        """An act by its id."""
-        return next(act for act in self.acts if act.id == name)
+        """An act by its id: one that is done, or one that the rules of the road see to."""
+        return next(act for act in (*self.acts, *self.functional.acts) if act.id == name)
 
     def has_said_speed(self, name: str) -> bool:
         """Whether the text says how fast somebody is."""

@@ -7,7 +7,7 @@ from scegen.scenario.bodies import BODIES
 from scegen.scenario.model import Interval
 from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind
 from scegen.understanding.amounts.figures import Figure
-from scegen.understanding.chunks import Event, Mention
+from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.clauses.dependents import chain
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import STILL, Amount, Doing
@@ -211,6 +211,9 @@ def _of_the_noun(figure: Figure) -> list[Entity]:
         rests = (out or verb.name in _FROM_REST) and ahead
         met = figure.scene.targets if figure.scene is not None else []
         told |= who.stands_after("with") and not any(e in met for e in who.entities)
+        # "turns left in front of a bus at 50 km/h", "… across the path of an oncoming bus …"
+        comes = bool(who.ways) or (verb.name == "turn" and who.opened_by("indef"))
+        told |= comes and who.prep is not None and not who.stands_after("with", "by")
         told |= awaited or (rests and not _has_another(figure, who))
     return list(who.entities) if told else []
 
@@ -220,7 +223,7 @@ def _before_any_verb(figure: Figure, who: Mention) -> bool:
     if who.stands_after("of") or figure.text.within(figure.start, figure.i):
         return False
     between = [c for c in figure.text.chunks if who.j <= c.i < figure.i]
-    return all((c.cat in _BESIDES or c.value == ",") for c in between)
+    return all((c.cat in _BESIDES or c.value == "," or isinstance(c, Place)) for c in between)
 
 
 def _opens_with(figure: Figure) -> list[Entity]:

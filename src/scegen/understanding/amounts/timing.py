@@ -154,12 +154,14 @@ def _of_the_other(figure: Figure, doing: Doing) -> Doing | None:
     named = next((m for m in text.mentions if m.i == figure.j + 1 and m.entities), None)
     if named is None or named.entities[0] is doing.entity:
         return None
-    after = text.tokens[named.j : named.j + 1]
-    if not (after and after[0].kind == "punct") and all(m.i != named.j for m in text.mentions):
+    here = text.within(named.j, figure.end)  # not "1 s after a van that comes from the left"
+    if any(c.event.finite and not c.event.embedded and c.actors == named.entities for c in here):
         return None
     other = named.entities[0]
-    alike = [a for a in text.found.acts if a.entity is other and a.kind is doing.kind]
-    return alike[0] if alike else text.same(doing, other, named.i, Basis(named.i, named.j))
+    kind = ActKind.ENTER if doing.kind is ActKind.TURN else doing.kind  # whichever way it goes
+    alike = [a for a in text.found.acts if a.entity is other and a.kind is kind]
+    made = Doing(kind, other, Basis(named.i, named.j), named.i, always=doing.always)
+    return alike[0] if alike else text.add(made)
 
 
 def endless(doing: Doing, text: Telling) -> bool:

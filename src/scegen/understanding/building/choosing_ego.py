@@ -61,7 +61,7 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
     if all(_seen(draft, e, sides) for e in candidates):
         reason = "positions are given as seen from a vehicle that is not named; a car is added"
         return _added(draft, reason)
-    if alone and not crossing and _endangers_unnamed(draft):
+    if alone and _endangers_unnamed(draft, crossing=crossing):
         return _added(draft, "the only vehicle endangers another; a car is added as the ego")
     chosen, reason = _designate(draft, candidates)
     chosen.ego = True
@@ -89,9 +89,15 @@ def _put_in_a_bay(draft: Draft, ego: Entity) -> None:
     ego.strip = ego.strip or (Strip.PARKING, Basis(*ends[0]) if ends else stood)
 
 
-def _endangers_unnamed(draft: Draft) -> bool:
-    """``a van comes the wrong way``, ``a taxi brakes hard``: a danger to whom nobody names."""
-    caused = {d.kind for d in draft.dangers}
+def _endangers_unnamed(draft: Draft, *, crossing: bool) -> bool:
+    """``a van comes the wrong way``, ``a taxi brakes hard``: a danger to whom nobody names.
+
+    So is one to whom a measure is told: ``a van pulls out with a TTC of 2 s``.
+    """
+    measured = any(t.low in word_list("to_another") for t in draft.tokens)
+    if measured and draft.dangers and len(draft.entities) == 1:
+        return True
+    caused = set() if crossing else {d.kind for d in draft.dangers}
     first, *rest = draft.entities
     known = first.labels or draft.tokens[first.basis.i or 0].low == "the"  # "the car stops"
     return not (rest or known) and bool(caused & _ENDANGERS) and not caused & _TO_ITSELF

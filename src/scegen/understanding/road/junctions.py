@@ -12,6 +12,7 @@ from scegen.understanding.entity import Basis
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.road import absent
 from scegen.understanding.road.absent import flashing, named_by_letter, only_counted, out_of_order
+from scegen.understanding.words.numbers import POSITIONS
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
@@ -78,6 +79,9 @@ def read_junction(terms: list[Term], tokens: list[Token]) -> JunctionReading:
             said.setdefault(Control(term.value), Basis(term.i, term.j))
         elif term.cat in {"num", "quant"}:
             _counted_arms(reading, terms, k)
+    counted = [o for o, t in pairwise(terms) if t.value == "exit" and POSITIONS.get(o.value, 0) > 0]
+    if counted and reading.named is None and not reading.highway:  # "takes the second exit"
+        _set_kind(reading, JunctionKind.ROUNDABOUT, Basis(counted[0].i, counted[0].j + 1))
     lines = [
         t for k, t in enumerate(terms) if t.value == "stop_line" and not absent.negated(terms, k)
     ]

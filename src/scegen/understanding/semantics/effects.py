@@ -199,12 +199,11 @@ def _put(name: str, where: str, of: str) -> Effect:
 
 def _act(row: dict[str, Any], of: str, words: Words) -> Effect:
     whom, kind, always = who(of), ActKind(row["act"]), bool(row.get("always"))
-    to = who(row.get("into", "nobody"))
+    to = who(row["into"]) if "into" in row else lambda _clause, _context: [None]
 
     def effect(clause: Clause, context: Context) -> None:
         event, basis = clause.event, words(clause, context)
-        others: list[Entity | None] = [*to(clause, context)] or [None]
-        for entity, into in product(whom(clause, context), others):
+        for entity, into in product(whom(clause, context), to(clause, context)):
             doing = Doing(kind, entity, basis, event.i, always=always, nominal=event.nominal)
             doing.into, doing.into_basis = into, basis if into is not None else None
             context.acts.append(doing)
