@@ -227,6 +227,9 @@ def _between(scene: Clause, text: Telling) -> list[Entity]:
     sides = (scene.actors, scene.targets), (scene.targets, scene.actors)
     if any(len(a) > 1 and len({e.kind for e in a}) == 1 and text.ego in b for a, b in sides):
         return []  # "drives into the tail of a queue", "neither touched us": whichever of them
+    causing = [e for e in text.draft.causing() if e.moving_vehicle and e not in who]
+    if scene.event.passive and who == scene.targets and len(who) == len(causing) == 1:
+        return [*who, *causing]  # "turns left, a van passes and a bus is nearly hit"
     return who if len(who) == _PAIR else around_it(scene.event.i, who[0] if who else None, text)
 
 

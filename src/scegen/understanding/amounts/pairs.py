@@ -115,7 +115,9 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     if subject and named and (located or figure.role != "overlap"):
         return subject[0], named[0]
     first = subject[0] if subject else named[0] if named else text.ego
-    other = text.counterpart(first, text.spoken_of(0, figure.i))
+    here = [p for p in text.draft.placements if located and word and p.basis.i == word.i]
+    leads = [p.entity for p in here if p.reference is first]  # "the second, 2 s behind"
+    other = next(iter(leads), None) or text.counterpart(first, text.spoken_of(0, figure.i))
     return (first, other) if other is not None and other is not first else None
 
 

@@ -17,6 +17,7 @@ _ENDANGERS = frozenset({HazardKind.CUT_IN, HazardKind.HARD_BRAKING, HazardKind.S
                         HazardKind.OVERTAKING})  # fmt: skip
 """What one vehicle does to another, which a text need not name."""
 _TO_ITSELF = frozenset({HazardKind.LOSS_OF_CONTROL, HazardKind.SWERVING, HazardKind.OBSTACLE})
+_TWO = 2
 _PARTIES = ("insured", "claimant")
 """Whose case a report tells."""
 
@@ -53,6 +54,7 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
     alone = len(candidates) == 1 == len(movers) and not afoot
     whence = [p.approaches for e in candidates for p in draft.placements_of(e) if not p.reference]
     alike = whence == [whence[0]] * len(movers) if whence and not afoot else False
+    alike = alike and (len(movers) != _TWO or whence[0] != _SIDES)  # they cross each other
     sides = _SIDEWAYS if alone or alike else _ALONG  # "three cars come from the left"
     exposed = bool(afoot) or len(candidates) < len(movers)
     met = exposed and len(candidates) == 1 and _met(draft, candidates[0])

@@ -129,6 +129,10 @@ def joins(mention: Mention, state: State) -> bool:
     gone = any(m.value in WAYS and m.i >= anchor.j for m in anchor.mods)  # "me straight, and he …"
     waiting = anchor is state.waiting and not (gone and "," in state.between)
     waiting = waiting and not any(anchor in event.subject for event in state.events)
+    measured = any(m.cat == "quantity" and m.i >= anchor.j for m in anchor.mods)
+    other = mention.pronoun is None and state.mentions[0] is not anchor
+    if measured and "," in state.between and other:
+        return False  # "two cars come, the second one 20 m behind, and the ego brakes"
     if mention.pronoun in {"count", "one", "another"} and "," in state.between:
         return False  # "four vans, two turning left": some of them, not further ones
     said = bool({"aux:be", "aux:have"} & state.between) or state.being is not None

@@ -163,6 +163,11 @@ def _mention(mention: Mention, clause: Clause, of_verbs: set[int], context: Cont
         if prep.value == "from" and each_side(prep) and len(mention.entities) > 1:
             _spread(prep, mention.entities, context)
             continue
+        if prep.value == "behind" and prep.target is None:
+            first = placing.before_in_row(mention, context)
+            context.ahead(first, mention.entities, Basis(prep.word.i, prep.word.j))
+            if first:
+                continue
         shared = len(sides) == len(mention.entities) > 1 and prep in sides
         whom = [mention.entities[sides.index(prep)]] if shared else mention.entities
         placing.phrase(prep, whom, None, context)

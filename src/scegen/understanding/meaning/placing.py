@@ -143,6 +143,14 @@ def _ordinal(mention: Mention) -> int | None:
     return next((_NUMBERS.index(m.value) for m in mention.mods if m.value in _NUMBERS), None)
 
 
+def before_in_row(mention: Mention, context: Context) -> list[Entity]:
+    """``the second, 2 s behind``: behind the first."""
+    people = [e for e in context.draft.entities if not e.ego]
+    at = people.index(mention.entities[0]) if _ordinal(mention) else 0
+    alike = at and people[at - 1].kind is people[at].kind
+    return people[at - 1 : at] if alike else []
+
+
 def _behind_each_other(mods: list[Term], entities: list[Entity], draft: Draft) -> None:
     said = next((m for m in mods if m.cat == "manner" and m.value in _ORDERS), None)
     said = said or _gathered(mods, draft)

@@ -79,7 +79,9 @@ def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] 
     if not named:
         who = _last_told(k, chunks) if before in BOUNDARIES else None
         if before in BOUNDARIES and event.name in _MADE and event.form == "base":
-            who = teller_at(event.i) if _entitles(chunks[k + 1 :], first=k == 0) else who
+            rest = chunks[k + 1 :]
+            told = _entitles(rest, first=k == 0)
+            who = (_of_the_other(event.i, rest) or teller_at(event.i)) if told else who
         if who is None or event.name != "overtake":
             return None if who is None else ([who, _verb(event)], k + 1)
         of_ego = who.same_as is not None and who.same_as.is_ego
@@ -96,6 +98,17 @@ def _entitles(rest: list[Chunk], *, first: bool) -> bool:
     told = any(isinstance(c, Mention) and c.is_ego for c in rest[mark:])
     told = told if value_at(rest, mark) == "," else first
     return told and all(isinstance(c, Term | Place) for c in rest[:mark])
+
+
+def _of_the_other(i: int, rest: list[Chunk]) -> Mention | None:
+    """``Left turn across path from opposite direction, ego going straight``: not the ego's."""
+    after = [c for c in rest if isinstance(c, Mention | Event) or c.cat == "dir"]
+    straight = any(m.value == "straight" for c in after for m in getattr(c, "mods", [c]))
+    if not straight or not any(isinstance(c, Place) and c.kind == "path" for c in rest[:2]):
+        return None
+    named = next((c for c in after if isinstance(c, Mention) and not c.is_ego and c.heads), None)
+    car = None if named is not None else Term("actor", "car", i, i)
+    return Mention(i, i, [], car, heads=[car] if car else [], same_as=named)
 
 
 def noted(event: Event, k: int, chunks: list[Chunk]) -> bool:

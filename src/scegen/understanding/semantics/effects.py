@@ -17,7 +17,7 @@ from scegen.scenario.vocabulary import (
 )
 from scegen.understanding.chunks import NounPhrase, Prep
 from scegen.understanding.draft import IMPLIED
-from scegen.understanding.entity import Basis, Entity
+from scegen.understanding.entity import Basis
 from scegen.understanding.happenings import Doing
 from scegen.understanding.semantics.context import Clause, Context, span
 from scegen.understanding.semantics.marks import MARKS, REWRITES, Mark, first
