@@ -113,8 +113,12 @@ def _before_slowing_m(scene: Setup, draft: DriveDraft) -> Iterator[float]:
     for other in scene.drives.values():
         into = draft in ahead_on_arm(scene, other) and scene.contact_wanted(other.id, draft.id)
         if into and scene.has_said_speed(other.id):
-            slows = (mark.s_m for mark in other.road_changes() if mark.sort is Sort.SLOWS)
-            yield min(slows, default=inf) + other.body.front_m + draft.body.rear_m - _INTO_M
+            yield (
+                min((mark.s_m for mark in _slows(other)), default=inf)
+                + other.body.front_m
+                + draft.body.rear_m
+                - _INTO_M
+            )
 
 
 def lead_in_missing_s(scene: Setup) -> float:
@@ -198,10 +202,20 @@ def _turning_mps(scene: Setup, draft: DriveDraft) -> float:
 
     Who is slow enough for it brakes a little all the same.
     """
-    said = scene.functional.participant(draft.id).maneuvers
-    slows = (m for m in draft.road_changes() if m.sort is Sort.SLOWS)
-    turns = draft.drive.turn in said and draft.drive.turn is not Maneuver.STRAIGHT
-    return next((m.target_mps for m in slows), _TURNS_AT * draft.speed_mps) if turns else 0.0
+    if not _turns(scene, draft):
+        return 0.0
+    return next((m.target_mps for m in _slows(draft)), _TURNS_AT * draft.speed_mps)
+
+
+def _turns(scene: Setup, draft: DriveDraft) -> bool:
+    """Whether the text tells of the turn that one takes."""
+    said, turn = scene.functional.participant(draft.id).maneuvers, draft.drive.turn
+    return turn in said and turn is not Maneuver.STRAIGHT
+
+
+def _slows(draft: DriveDraft) -> Iterator[SpeedChange]:
+    """How it slows down for what its way needs."""
+    return (mark for mark in draft.road_changes() if mark.sort is Sort.SLOWS)
 
 
 def _stops_at_light(scene: Setup, draft: DriveDraft) -> bool:
@@ -245,9 +259,12 @@ def _place(scene: Setup, draft: DriveDraft) -> None:
         place = draft.stop_line_s_m + _AGAIN_M
     elif is_open(scene, first):
         kind = first.hazard or HazardKind.HARD_BRAKING
-        act = scene.act(first.act or "").kind
+        act = scene.act(first.act or "")
         late = _LATE if kind is HazardKind.DELAYED_BRAKING else 1.0
-        place = happens_s_m(scene, draft, kind, act) - late * way
+        ends = happens_s_m(scene, draft, kind, act.kind)
+        if falls_back(act) and _turns(scene, draft):  # "brakes to turn right": for that
+            ends = next((min(mark.by_m, mark.s_m + way) for mark in _slows(draft)), ends)
+        place = ends - late * way
     least = draft.body.rear_m + LEAD_IN_S * draft.speed_mps
     require_room(draft.id, place, least, 5.0)
     later = [

@@ -21,6 +21,7 @@ _ARMS_LENGTH = 3
 _TWO_LANES = 7
 _PASSED = frozenset({"overtake", "pass", "bypass"})
 _WHOLE = 100
+_ELSEWHERE = {Maneuver.LANE_CHANGE, Maneuver.OVERTAKE, Maneuver.LEFT, Maneuver.RIGHT}
 _ACROSS = {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE}
 _BREACHES = (HazardKind.FAILURE_TO_YIELD, HazardKind.RED_LIGHT_RUNNING)
 _TOLD_OTHERWISE = "how far apart they are then is told otherwise before; left out"
@@ -107,7 +108,7 @@ def _sideways(figure: Figure, one: Entity, other: Entity) -> Measure:
     stand = [at for _, at in figure.text.stand(one, other)]
     beside = {Approach.ADJACENT} in stand
     past = past or ({Approach.OPPOSITE} in stand and far <= _ARMS_LENGTH)  # as they are level
-    moved = (one.maneuvers | other.maneuvers) & {Maneuver.LANE_CHANGE, Maneuver.OVERTAKE}
+    moved = (one.maneuvers | other.maneuvers) & _ELSEWHERE
     lateral = past or (beside and not moved and far <= _TWO_LANES)
     return Measure.LATERAL_GAP_M if lateral else measure
 
