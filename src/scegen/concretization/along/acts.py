@@ -1,6 +1,6 @@
 """What happens, in order: the acts of the text, and those that its dangers and manoeuvres imply."""
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from scegen.concretization.along.story import Story
 from scegen.concretization.amounts import implied, spelled_out
@@ -39,7 +39,8 @@ def all_acts(story: Story) -> list[Act]:
     for name in story.in_bays:
         acts = _out_of_its_bay(story, name, acts)
     # Who passes another and stays out passes on the side to which it changes lanes.
-    sides = {d.participant: d.changes_to for d in story.logical.drives}
+    stay = (d for d in story.logical.drives if d.participant not in story.exiting)
+    sides = {d.participant: d.changes_to for d in stay}
     unsaid = {a.id for a in acts if a.kind is ActKind.OVERTAKE and a.side is None}
     acts = [a.but(side=sides.get(a.participant)) if a.id in unsaid else a
             for a in acts]  # fmt: skip
@@ -123,7 +124,7 @@ def _passing_first(story: Story, hazard: Hazard, acts: list[Act]) -> list[Act]:
     return acts
 
 
-def does(acts: list[Act], name: str, kinds: frozenset[ActKind]) -> bool:
+def does(acts: list[Act], name: str, kinds: Collection[ActKind]) -> bool:
     """Whether somebody does one of these already."""
     return any(act.participant == name and act.kind in kinds for act in acts)
 
@@ -152,7 +153,8 @@ def _implied(story: Story, hazard: Hazard, acts: list[Act]) -> Iterator[Act]:
 
 def _manoeuvre(story: Story, drive: Drive, acts: list[Act]) -> Iterator[Act]:
     name = drive.participant
-    if name not in story.runners or does(acts, name, LEAVING):
+    exits = name in story.exiting  # as its last change of lane
+    if name not in story.runners or does(acts, name, {ActKind.CHANGE_LANE} if exits else LEAVING):
         return
     if drive.maneuver is Maneuver.LANE_CHANGE:
         yield implied("change", name, name, ActKind.CHANGE_LANE, side=drive.changes_to)

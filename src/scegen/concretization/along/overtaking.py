@@ -136,8 +136,10 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     story.ends_s[act.id] = clear + lasts if comes_home and back is None else clear
     moves = fast.moves if stays else [Move(begins, lasts, out_lane, offset, act.id, hazard)]
     if comes_home:
-        into = slow if stays else fast
-        moves.append(Move(clear, lasts, into.lane, 0.0, (back or act).id, hazard))
+        home = (slow if stays else fast).lane
+        if fast.id in story.exiting:  # across what lies between
+            lasts, home = lasts * (story.lane_count + 1 - out_lane), story.lane_count + 1
+        moves.append(Move(clear, lasts, home, 0.0, (back or act).id, hazard))
     fast.moves = moves
     if back is not None:
         story.begins_s[back.id], story.ends_s[back.id] = clear, clear + lasts
