@@ -92,16 +92,15 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     of_them = {s.measure for s in told_now if own >= {s.participant, s.reference}}
     fixed = act.when is not None or not of_them.isdisjoint(LENGTHWISE)
     at_once = fixed or bool(of_them)
-    begins = story.begins_s[act.id]
-    begins = begins if fixed else max(FIRST_ACT_S / 2, begins - FIRST_ACT_S)
+    now = story.begins_s[act.id]
+    begins = now if fixed else max(FIRST_ACT_S / 2, now - FIRST_ACT_S)
     hurries = bool(told_now) and not at_once  # who comes towards it is so near
     usual = ABRUPT_LANE_CHANGE_S if hurries or act.kind is ActKind.SWERVE else LANE_CHANGE_S
     begins, lasts = _in_time(fast, slow, (out_lane, offset), (begins, usual), fixed=fixed)
     told = story.has_said_speed(fast.id) and not story.acts_of(foremost.id, GAINING)
     if fast.speed_mps - foremost.speed_mps < (_HARDLY_MPS if told else _FASTER_MPS / 2):
-        top = min(foremost.speed_mps + _FASTER_MPS, fast.body.top_speed_mps)
-        begins = story.begins_s[act.id]
-        gains = SpeedChange(top, COMFORTABLE_ACCELERATION_MPS2, begins + lasts, act=act.id)
+        top, begins = min(foremost.speed_mps + _FASTER_MPS, fast.body.top_speed_mps), now
+        gains = SpeedChange(top, COMFORTABLE_ACCELERATION_MPS2, now + lasts, act=act.id)
         fast.steps.append(gains)
     back = _back(story, act, slow)
     changing = [each for each in story.acts if each.kind is ActKind.CHANGE_LANE]
@@ -136,9 +135,8 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     story.ends_s[act.id] = clear + lasts if comes_home and back is None else clear
     moves = fast.moves if stays else [Move(begins, lasts, out_lane, offset, act.id, hazard)]
     if comes_home:
-        home = (slow if stays else fast).lane
-        if fast.id in story.exiting:  # across what lies between
-            lasts, home = lasts * (story.lane_count + 1 - out_lane), story.lane_count + 1
+        home = story.lane_count + 1 if fast.id in story.exiting else (slow if stays else fast).lane
+        lasts *= max(abs(home - out_lane), 1)  # across what lies between
         moves.append(Move(clear, lasts, home, 0.0, (back or act).id, hazard))
     fast.moves = moves
     if back is not None:
