@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from reference_simulator import Steps
 
 from scegen.closed_loop import (
     CarefulDriver,
@@ -25,6 +26,7 @@ from scegen.pipeline.generate import generate
 from scegen.pipeline.options import CheckDepth, EgoMode, Options
 from scegen.pipeline.source import resolve_source
 from scegen.road import build_network
+from scegen.road.geometry import Pose
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.files import load
 
@@ -72,6 +74,29 @@ def test_an_ego_that_does_as_planned_changes_nothing(made, traces, as_planned):
             trace = traces[movement.entity]
             assert np.abs(movement.point - (trace.x_m + 1j * trace.y_m)).max() < 1e-9
             assert movement.speed_mps == pytest.approx(trace.speed_mps)
+
+
+def test_others_move_as_in_the_reference_whatever_the_ego_does(made, traces):
+    """It goes half as fast, beside its way, and stands in between."""
+    concrete = made[1]
+    ego = traces[concrete.ego.id]
+
+    def driver(time_s, dt_s, states):
+        step = min(round(time_s / dt_s) + 1, 30) // 2 + max(round(time_s / dt_s) - 60, 0) // 2
+        return State(ego.x_m[step], ego.y_m[step] + 1.0, ego.heading_rad[step], ego.speed_mps[step])
+
+    moved = {m.entity: m for m in drive(OwnSimulation(concrete), driver, concrete.duration_s)}
+    paths = build_paths(concrete, build_network(concrete.road))
+    steps = Steps(concrete, paths, dt_s=STEP_S, outside=concrete.ego.id)
+    for number in range(len(moved[concrete.ego.id].time_s)):
+        for name, (pose, speed_mps) in steps.placed().items():
+            point, speed = moved[name].point[number], moved[name].speed_mps[number]
+            assert point == pytest.approx(complex(pose.x_m, pose.y_m), abs=1e-9)
+            assert speed == pytest.approx(speed_mps, abs=1e-9)
+        state = driver(steps.time_s, STEP_S, None)
+        pose = Pose(state.x_m, state.y_m, state.heading_rad)
+        steps.put(concrete.ego.id, pose, state.speed_mps)
+        steps.advance()
 
 
 def test_an_ego_that_stands_sets_nothing_off(made):

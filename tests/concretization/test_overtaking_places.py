@@ -62,7 +62,7 @@ def passing_m(concrete, first, second):
 
 
 def touching(concrete):
-    """Pairs that touch, by the reference simulator."""
+    """Pairs that touch, as simulated."""
     paths = build_paths(concrete, build_network(concrete.road))
     traces = simulate(concrete, paths, dt_s=0.02)
     names = [p.id for p in concrete.participants]

@@ -7,8 +7,8 @@ from roads import CROSS, ego, ends, one
 from saying import missed
 from told import act, apart, as_soon_as, made, told
 
+from scegen.motion import simulate
 from scegen.motion.paths import build_paths
-from scegen.motion.simulation import simulate
 from scegen.road import build_network
 
 HIT = ends("collision", "ego", "x", struck="front")

@@ -6,9 +6,9 @@ from saying import missed, person, said
 
 from scegen.concretization import concretize
 from scegen.enumeration import enumerate_scenarios
+from scegen.motion import simulate
 from scegen.motion.paths import build_paths
 from scegen.motion.rules.giving_way import must_give_way
-from scegen.motion.simulation import simulate
 from scegen.road import build_network
 from scegen.scenario.concrete import Travelled
 

@@ -56,7 +56,7 @@ def two_cars(kind=JunctionKind.FOUR_WAY, arms=4, *, limit=None, speed=None, **mo
 
 
 def independent(concrete, pair):
-    """Distances and contacts by the reference simulator, on paths built anew, at 0.01 s."""
+    """Distances and contacts as simulated on paths built anew, at 0.01 s."""
     paths = build_paths(concrete, build_network(concrete.road))
     traces = simulate(concrete, paths, dt_s=0.01)
     names = [p.id for p in concrete.participants]

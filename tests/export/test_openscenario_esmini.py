@@ -10,8 +10,8 @@ import pytest
 from by_hand import by_hand
 
 from scegen.export.openscenario import write_openscenario
+from scegen.motion import simulate
 from scegen.motion.model import Path
-from scegen.motion.simulation import simulate
 from scegen.scenario.concrete import (
     ArrivalBelow,
     AtTime,

@@ -2,9 +2,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from reference_simulator import simulate
 
 from scegen.concretization import concretize
-from scegen.motion import simulate
 from scegen.motion.model import Path
 from scegen.scenario.concrete import (
     ArrivalBelow,

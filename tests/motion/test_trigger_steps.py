@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from scegen.concretization import concretize
 from scegen.motion import simulate
-from scegen.motion.batch.playing import play
+from scegen.motion import simulate as play
 from scegen.motion.model import Path
 from scegen.motion.trigger_steps import STEP_S, just_before_step_s, put_between_steps
 from scegen.scenario.concrete import (

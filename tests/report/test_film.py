@@ -11,8 +11,8 @@ from lxml import etree
 from scegen.concretization import concretize
 from scegen.criticality.encounter import closest_encounter
 from scegen.enumeration import enumerate_scenarios
+from scegen.motion import simulate
 from scegen.motion.paths import build_paths
-from scegen.motion.simulation import simulate
 from scegen.report.film import Cut, make_film
 from scegen.report.moving_labels import MovingLabels
 from scegen.report.theme import LIGHT

@@ -8,10 +8,10 @@ import shapely
 from PIL import Image
 
 from scegen.criticality.encounter import closest_encounter
+from scegen.motion import simulate
 from scegen.motion.footprints import box_corners
 from scegen.motion.model import Trace
 from scegen.motion.paths import build_paths
-from scegen.motion.simulation import simulate
 from scegen.report.labels import WAY_STEP_PX
 from scegen.report.lane_shapes import road_shapes
 from scegen.report.preview import preview_svg

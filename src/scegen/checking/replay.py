@@ -1,6 +1,6 @@
 """Agreement with the reference player: does esmini show what our simulator predicts?
 
-The file is played in steps of 0.05 s and compared with ``scegen.motion.simulate`` at the same
+The file is played in steps of 0.05 s and compared with our own simulation at the same
 step: every participant's position and heading over its whole trace, the time at which every phase
 of a speed program fires, and which bodies touch, and when.
 
@@ -24,8 +24,9 @@ from scegen.checking.results import CheckResult, Finding, error, not_run, verdic
 from scegen.errors import ScegenError
 from scegen.measures import build_tables
 from scegen.measures.distance import distance_series
-from scegen.motion import build_paths, simulate
-from scegen.motion.batch import compile_program, simulate_batch, stack_traces
+from scegen.motion import build_paths
+from scegen.motion.batch import compile_program, simulate_batch
+from scegen.motion.batch.simulation import traces_of
 from scegen.motion.model import Array, Trace
 from scegen.motion.standing import object_paths
 from scegen.motion.trigger_steps import STEP_S
@@ -105,7 +106,6 @@ def predict(concrete: ConcreteScenario) -> Prediction:
         InfeasibleError: the concrete scenario cannot be built.
     """
     paths = build_paths(concrete, build_network(concrete.road))
-    traces = simulate(concrete, paths, dt_s=STEP_S)
     program, candidate = compile_program(concrete, paths)
     batch = simulate_batch(program, candidate, duration_s=concrete.duration_s, dt_s=STEP_S)
     names = [
@@ -114,20 +114,16 @@ def predict(concrete: ConcreteScenario) -> Prediction:
         for number in range(1, len(p.speed_program) + 1)
     ]
     steps = batch.fired_step[0].tolist()
-    people = concrete.participants
     still = object_paths(concrete)
     scene = build_tables(
-        [*(paths[p.id] for p in people), *still.values()],
+        [*(paths[p.id] for p in concrete.participants), *still.values()],
         [entity.body for entity in concrete.entities],
     )
-    tracks = stack_traces([traces[p.id] for p in people]).tracks
-    # Things stand in both of our simulators where they stand.
-    tracks = np.concatenate([tracks, batch.tracks[:, len(people) :]], axis=1)
-    apart = distance_series(tracks, scene.bodies, scene.pairs)[0]
+    apart = distance_series(batch.tracks, scene.bodies, scene.pairs)[0]
     touching = apart == 0.0
     pairs = [frozenset((a.id, b.id)) for a, b in combinations(concrete.entities, 2)]
     return Prediction(
-        traces,
+        traces_of(concrete, batch),
         {name: step * STEP_S for name, step in zip(names, steps, strict=True) if step >= 0},
         {
             pair: float(touching[:, n].argmax()) * STEP_S

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from scegen.closed_loop.running import State
+from scegen.closed_loop.running import State, as_step
 from scegen.criticality.careful_driver import (
     DELAY_S,
     JERK_MPS3,
@@ -21,7 +21,7 @@ from scegen.criticality.careful_driver import (
 from scegen.criticality.perception import perceivable_dangers
 from scegen.measures.bodies import body_table
 from scegen.motion import build_paths, simulate
-from scegen.motion.batch.arrays import COS, HEADING, SIN, SPEED, TRACK_ROWS, Floats, S, X, Y
+from scegen.motion.batch.arrays import SPEED, Floats
 from scegen.motion.friction import friction_of
 from scegen.motion.model import Path
 from scegen.motion.standing import object_paths
@@ -60,7 +60,8 @@ class CarefulDriver:
 
     def __call__(self, time_s: float, dt_s: float, states: Mapping[str, State]) -> State:
         """Where it will be after the next step, from what everybody does now."""
-        self._remember(states)
+        before = self._seen[-1] if self._seen else None
+        self._seen.append(as_step((states[name] for name in self._names), before))
         self._perceive(time_s)
         speed = self._speed(time_s + dt_s, dt_s, states[self._names[self._ego]].speed_mps)
         self._s_m = min(self._s_m + speed * dt_s, self._way.length_m)
@@ -90,17 +91,3 @@ class CarefulDriver:
             if time_s - since >= RISK_EVALUATION_S - _ROUNDING_S:
                 self.danger, self.brakes_s = name, time_s + DELAY_S
                 return
-
-    def _remember(self, states: Mapping[str, State]) -> None:
-        """What is seen now, as a step of tracks; a way gone adds up from place to place."""
-        step = np.zeros((len(self._names), TRACK_ROWS))
-        for row, name in zip(step, self._names, strict=True):
-            state = states[name]
-            row[X], row[Y] = state.x_m, state.y_m
-            row[HEADING], row[SPEED] = state.heading_rad, state.speed_mps
-            row[COS], row[SIN] = np.cos(state.heading_rad), np.sin(state.heading_rad)
-        if self._seen:
-            before = self._seen[-1]
-            away = np.hypot(step[:, X] - before[:, X], step[:, Y] - before[:, Y])
-            step[:, S] = before[:, S] + away
-        self._seen.append(step)

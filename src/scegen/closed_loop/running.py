@@ -1,6 +1,6 @@
 """A driver and a simulation, step by step to the end, and what the drive made of the danger."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -9,6 +9,7 @@ import numpy as np
 from scegen.checking.esmini.recording import Movement
 from scegen.checking.said import recorded_view
 from scegen.claims.hazards.judging import judge, number
+from scegen.motion.batch.arrays import COS, HEADING, SIN, SPEED, TRACK_ROWS, Floats, S, X, Y
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.proof import HazardProof
 
@@ -52,6 +53,17 @@ class Simulation(Protocol):
 
 Driver = Callable[[float, float, Mapping[str, State]], State]
 """From time (s), step (s) and everybody's state to the ego's own state after the next step."""
+
+
+def as_step(states: Iterable[State], before: Floats | None = None) -> Floats:
+    """States as a step of tracks (i, row); the way gone adds up from place to place."""
+    seen = np.array([[s.x_m, s.y_m, s.heading_rad, s.speed_mps] for s in states])
+    step = np.zeros((len(seen), TRACK_ROWS))
+    step[:, [X, Y, HEADING, SPEED]] = seen
+    step[:, COS], step[:, SIN] = np.cos(seen[:, 2]), np.sin(seen[:, 2])
+    if before is not None:
+        step[:, S] = before[:, S] + np.hypot(*(step - before)[:, [X, Y]].T)
+    return step
 
 
 def drive(simulation: Simulation, driver: Driver, duration_s: float) -> list[Movement]:

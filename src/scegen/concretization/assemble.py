@@ -15,7 +15,7 @@ from scegen.concretization.setup import NeedsLongerArms, Setup
 from scegen.concretization.walkers import leaves_s, partner_of
 from scegen.concretization.written import as_they_come, written, written_phase, written_scenario
 from scegen.errors import MotionInfeasibleError
-from scegen.motion.batch.playing import play
+from scegen.motion import simulate
 from scegen.motion.model import STANDING_MPS, Path, Trace
 from scegen.motion.trigger_steps import put_between_steps
 from scegen.scenario.concrete import (
@@ -52,7 +52,7 @@ def assemble(scene: Setup, seed: int) -> ConcreteScenario:
     paths = paths_of(ways)
     require_apart(concrete, paths)
     for lasts_s in (MAX_DURATION_S, LONGEST_DURATION_S):
-        traces = play(concrete.but(duration_s=lasts_s), paths)
+        traces = simulate(concrete.but(duration_s=lasts_s), paths)
         _check_turns(traces, paths)
         duration = _duration_s(scene, traces, ways)
         if duration is not None:

@@ -23,7 +23,7 @@ from scegen.concretization.things import (
     shape_of,
 )
 from scegen.measures.occlusion import hidden_behind
-from scegen.motion.batch.playing import play
+from scegen.motion import simulate
 from scegen.motion.footprints import box_corners
 from scegen.motion.model import Array, Trace
 from scegen.motion.paths import build_paths
@@ -98,7 +98,7 @@ def _hide(
 ) -> ConcreteScenario:
     observer = next(iter(hazard.to), concrete.ego.id)
     paths = build_paths(concrete, network)
-    traces = play(concrete, paths, dt_s=_STEP_S)
+    traces = simulate(concrete, paths, dt_s=_STEP_S)
     ground = taken_ground(network, concrete, paths)
     best: tuple[float, str, StaticObject] | None = None
     for group in _hidden_ones(concrete, observer, thing):

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from scegen.export.expressions import Expression, Number
-from scegen.motion.batch.playing import play
+from scegen.motion import simulate
 from scegen.motion.model import STANDING_MPS, Path
 from scegen.scenario.concrete import LATEST, ConcreteScenario
 
@@ -74,7 +74,7 @@ def numbers_of(concrete: ConcreteScenario, paths: Mapping[str, Path]) -> Numbers
 
 def _ego_goes_m(concrete: ConcreteScenario, paths: Mapping[str, Path]) -> float:
     """How far the ego has come shortly before the end; a little less if it has stopped by then."""
-    trace = play(concrete, paths)[concrete.ego.id]
+    trace = simulate(concrete, paths)[concrete.ego.id]
     before = max(0.0, concrete.duration_s - _BEFORE_END_S)
     far = float(np.interp(before, trace.time_s, trace.s_m))
     stopped = np.interp(before, trace.time_s, trace.speed_mps) < STANDING_MPS

@@ -108,7 +108,7 @@ def _evaluate(
     tracks = scratch.tracks[0]
     room = np.empty(tracks.shape[2])
     for c in range(candidates.speed_mps.shape[0]):
-        run_candidate(program, candidates, c, scratch.dt_s, tracks, scratch.fired_step[0])
+        run_candidate(program, candidates, c, scratch.dt_s, tracks, scratch.fired_step[0], -1)
         _measure_one(tracks, scratch.dt_s, scene, room, out, c)
 
 

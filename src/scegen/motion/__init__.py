@@ -1,6 +1,6 @@
-"""Motion = path x speed program: paths on the road, the simulators."""
+"""Motion = path x speed program: paths on the road, the simulator."""
 
+from scegen.motion.batch import simulate
 from scegen.motion.paths import build_paths
-from scegen.motion.simulation import simulate
 
 __all__ = ["build_paths", "simulate"]

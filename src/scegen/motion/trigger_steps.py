@@ -9,9 +9,9 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from scegen.motion.batch.playing import play
-from scegen.motion.model import STANDING_MPS, Array, Path, Trace
-from scegen.motion.simulation import arrivals_s
+from scegen.motion.batch import simulate
+from scegen.motion.model import NEGLIGIBLE, STANDING_MPS, Array, Path, Trace
+from scegen.road.geometry import Pose
 from scegen.scenario.concrete import (
     ArrivalBelow,
     AtTime,
@@ -48,7 +48,7 @@ def put_between_steps(concrete: ConcreteScenario, paths: Mapping[str, Path]) -> 
         concrete: the scenario.
         paths: its paths by participant.
     """
-    traces = play(concrete, paths, dt_s=STEP_S)
+    traces = simulate(concrete, paths, dt_s=STEP_S)
     changes: list[Change] = []
     people = [_clear(p, traces, paths, changes) for p in concrete.participants]
     return concrete.changed(people, changes) if changes else concrete
@@ -122,3 +122,12 @@ def _stands_s(trace: Trace) -> Array:
     steps = np.arange(len(moves))
     last = np.maximum.accumulate(np.where(moves, steps, -1))
     return np.where(moves, -1.0, (steps - last - 1) * STEP_S)
+
+
+def arrivals_s(who: Pose | Trace, speed_mps: Array | float, place: Pose) -> Array:
+    """When one who is there is at a place if it goes straight to it at its speed; inf: never."""
+    dx, dy = place.x_m - who.x_m, place.y_m - who.y_m
+    away = np.hypot(dx, dy)
+    ahead = dx * np.cos(who.heading_rad) + dy * np.sin(who.heading_rad) > 0.0
+    defined = ahead & (away >= NEGLIGIBLE) & (np.asarray(speed_mps) >= NEGLIGIBLE)
+    return np.where(defined, away / np.maximum(speed_mps, NEGLIGIBLE), np.inf)

@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scegen.criticality.encounter import Encounter, closest_encounter
+from scegen.motion import simulate
 from scegen.motion.model import Array, Path, Trace
-from scegen.motion.simulation import simulate
 from scegen.report.bodies import braking
 from scegen.report.camera import camera_views
 from scegen.report.drawing import box, circle, document, letters, line

@@ -9,8 +9,8 @@ from collections.abc import Iterable, Mapping
 import numpy as np
 
 from scegen.criticality.encounter import Encounter, closest_encounter
+from scegen.motion import simulate
 from scegen.motion.model import Array, Path, Trace
-from scegen.motion.simulation import simulate
 from scegen.report.drawing import box, document, letters
 from scegen.report.raster import wrapped
 from scegen.report.stage import Stage, make_stage, moment, overview

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from saying import made, missed, person, said
 
+from scegen.motion import simulate
 from scegen.motion.paths import build_paths
-from scegen.motion.simulation import simulate
 from scegen.road import build_network
 
 STOPS = {

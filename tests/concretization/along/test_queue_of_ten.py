@@ -8,10 +8,10 @@ from saying import KMH, missed, person, said
 
 from scegen.concretization import concretize
 from scegen.enumeration import enumerate_scenarios
+from scegen.motion import simulate
 from scegen.motion.batch.compilation import compile_program
 from scegen.motion.batch.simulation import simulate_batch
 from scegen.motion.paths import build_paths
-from scegen.motion.simulation import simulate
 from scegen.road import build_network
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.concrete import DistanceBelow

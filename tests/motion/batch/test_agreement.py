@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from reference_simulator import simulate
 
 from scegen.motion.batch import (
     Phase,
@@ -15,7 +16,6 @@ from scegen.motion.batch import (
     stack_traces,
 )
 from scegen.motion.model import Path
-from scegen.motion.simulation import simulate
 from scegen.scenario.concrete import (
     ArrivalBelow,
     AtTime,

@@ -32,7 +32,7 @@ _COLUMNS = (
 
 
 def simulated_csv(concrete: ConcreteScenario) -> str:
-    """What our reference simulator makes of a scenario, step by step as esmini would log it.
+    """What our simulator makes of a scenario, step by step as esmini would log it.
 
     Raises:
         RoadInfeasibleError, MotionInfeasibleError: the numbers cannot be built.

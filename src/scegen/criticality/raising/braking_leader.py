@@ -18,7 +18,7 @@ from scegen.claims.ways import paths_of
 from scegen.criticality.reactivity.rendezvous import waits_until
 from scegen.criticality.search.proving import Evidence, examine
 from scegen.criticality.target import Target
-from scegen.motion.batch.playing import play
+from scegen.motion import simulate
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.motion.model import Trace
 from scegen.road.model import RoadNetwork
@@ -74,7 +74,7 @@ def braking_leaders(
         return
     # Everybody against everybody: somebody else may drive in between.
     view = examine(concrete, network, list(combinations(drives, 2)), friction).view
-    traces = play(concrete, paths_of(view.ways), dt_s=view.dt_s)
+    traces = simulate(concrete, paths_of(view.ways), dt_s=view.dt_s)
     ego = concrete.ego.id
     ordered = sorted(((f, a) for p in free for f, a in (p, p[::-1])), key=lambda c: c[0] != ego)
     for follower, leader in ordered:

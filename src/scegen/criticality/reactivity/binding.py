@@ -8,8 +8,7 @@ from scegen.claims.ways import paths_of, ways_of
 from scegen.criticality.reactivity.rendezvous import held_back, joins
 from scegen.criticality.reactivity.sensitivity import Sensitivity, ego_start_sensitivity
 from scegen.motion.batch.compilation import compile_program
-from scegen.motion.batch.playing import traces_of
-from scegen.motion.batch.simulation import simulate_batch
+from scegen.motion.batch.simulation import simulate_batch, traces_of
 from scegen.motion.friction import friction_of
 from scegen.motion.trigger_steps import put_between_steps
 from scegen.road.model import RoadNetwork

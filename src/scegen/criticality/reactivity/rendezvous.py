@@ -15,7 +15,7 @@ from scegen.claims.ways import Way
 from scegen.motion.batch.arrays import Floats
 from scegen.motion.friction import GRAVITY_MPS2
 from scegen.motion.model import NEGLIGIBLE, Path, Trace
-from scegen.motion.simulation import arrivals_s
+from scegen.motion.trigger_steps import arrivals_s
 from scegen.scenario.concrete import (
     ArrivalBelow,
     Change,

@@ -22,9 +22,8 @@ from scegen.claims.hazards.scenes import scene_of
 from scegen.criticality.encounter import closest_encounter
 from scegen.measures.contact import contact_steps
 from scegen.measures.evaluation import Summary, measure
-from scegen.motion.batch import BatchTraces, compile_program, repeat, simulate_batch
+from scegen.motion.batch import BatchTraces, compile_program, repeat, simulate, simulate_batch
 from scegen.motion.batch.arrays import Ints
-from scegen.motion.batch.playing import play
 from scegen.motion.friction import friction_of
 from scegen.motion.model import Path
 from scegen.scenario.concrete import ConcreteScenario, DriveMotion
@@ -97,7 +96,7 @@ def ego_start_sensitivity(
             are parked only where nobody else is or a hazard names them.
     """
     if partner is None:
-        met = closest_encounter(concrete, play(concrete, paths))
+        met = closest_encounter(concrete, simulate(concrete, paths))
         if met is None:
             return None
         partner = met.other

@@ -1,8 +1,7 @@
-"""The batch simulator: thousands of candidates of one scenario at a time, in compiled kernels.
+"""The simulator: one scenario or thousands of candidates of it at a time, in compiled kernels.
 
 All candidates share the paths and the structure of the speed programs; they differ in start
-offset, speeds, trigger values, target speeds and rates. ``scegen.motion.simulate`` is the slow,
-obvious reference. Kept out of ``scegen.motion`` itself: importing numba takes a while.
+offset, speeds, trigger values, target speeds and rates. Tests hold it against a slow, obvious one.
 """
 
 from scegen.motion.batch.arrays import BatchTraces, Candidates, Program, TriggerKind, empty_traces
@@ -14,7 +13,7 @@ from scegen.motion.batch.compilation import (
     stack_scenario,
     stack_traces,
 )
-from scegen.motion.batch.simulation import simulate_batch
+from scegen.motion.batch.simulation import simulate, simulate_batch
 
 __all__ = [
     "BatchTraces",
@@ -26,6 +25,7 @@ __all__ = [
     "compile_program",
     "empty_traces",
     "repeat",
+    "simulate",
     "simulate_batch",
     "stack_scenario",
     "stack_traces",

@@ -142,7 +142,7 @@ def repeat(candidates: Candidates, count: int) -> Candidates:
 
 
 def stack_traces(traces: Sequence[Trace], paths: Sequence[Path] = ()) -> BatchTraces:
-    """Movements from elsewhere (the reference simulator, a player) as a batch of one candidate.
+    """Movements (of a player, or of single participants) as a batch of one candidate.
 
     Args:
         traces: one per participant, at the same times, which start at 0 and are evenly spaced.

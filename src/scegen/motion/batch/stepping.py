@@ -1,7 +1,8 @@
 """One candidate, step by step: the kernel that every batch run consists of.
 
-Same laws and same order as the reference simulator (``scegen.motion.simulation``): speeds first,
-positions by the new speed times dt, then the triggers, whose effect begins in the next step.
+The laws of esmini. In every step the speeds change first and the positions move by the new speed
+times dt; then the triggers are looked at: an action whose condition holds for the first time at a
+step changes the state from the next step on. At most one phase of a participant fires in a step.
 """
 
 from math import cos, sin, sqrt
@@ -28,7 +29,7 @@ from scegen.motion.batch.touching import collided
 from scegen.motion.model import NEGLIGIBLE, STANDING_MPS
 
 _ROUNDING = 1e-9
-"""A time or distance that misses its value by less counts as reached (as in the reference)."""
+"""A time or distance that misses its value by less counts as reached."""
 _ROUGHLY = 1.0 + 1e-9
 """Squares that differ by more need no root to be told apart."""
 _COS = (-1 / 2, 1 / 24, -1 / 720, 1 / 40320)
@@ -40,7 +41,13 @@ _TIME, _TRAVELLED, _DISTANCE_BELOW, _STOOD_STILL = 0, 1, 2, 4
 
 @kernel
 def run_candidate(
-    program: Program, candidates: Candidates, c: int, dt_s: float, tracks: Floats, fired_step: Ints
+    program: Program,
+    candidates: Candidates,
+    c: int,
+    dt_s: float,
+    tracks: Floats,
+    fired_step: Ints,
+    outside: int,
 ) -> None:
     """Simulate candidate ``c``.
 
@@ -51,6 +58,7 @@ def run_candidate(
         dt_s: time step, s.
         tracks: output, (participant, track row, step), see ``BatchTraces``.
         fired_step: output, (phase,).
+        outside: who is moved from outside, -1: nobody; its track, from step 1 on, is no output.
     """
     paths, phases, contacts = program
     participants = paths.first.shape[0] - 1
@@ -67,22 +75,22 @@ def run_candidate(
         marks[i, 1] = phases.first[i]
         marks[i, 2] = contacts.other[i]
         state[i, 5] = -1.0
+    if outside >= 0:
+        marks[outside, 1], marks[outside, 2] = phases.first[outside + 1], -1
     fired_step[:] = -1
     for t in range(tracks.shape[2]):
         for i in range(participants):
-            if t > 0:
-                _move(state, i, dt_s)
-                if state[i, 0] >= state[i, 4]:
-                    state[i, 0], state[i, 1], state[i, 3] = state[i, 4], 0.0, 0.0
-                    marks[i, 1] = phases.first[i + 1]
+            given = t > 0 and i == outside
+            if given:
+                state[i, 0] = tracks[i, S, t] - tracks[i, S, 0]
+                state[i, 1] = tracks[i, SPEED, t]
+            elif t > 0 and _move(state, i, dt_s):
+                marks[i, 1] = phases.first[i + 1]
             tracks[i, SPEED, t] = state[i, 1]
-            if state[i, 1] >= STANDING_MPS:
-                state[i, 5] = -1.0
-            elif state[i, 5] < 0.0:
-                state[i, 5] = t
-            if t > 0 and state[i, 1] == 0.0 and tracks[i, SPEED, t - 1] == 0.0:
+            state[i, 5] = _stands_since(state, i, t)
+            if not given and t > 0 and state[i, 1] == 0.0 and tracks[i, SPEED, t - 1] == 0.0:
                 tracks[i, :, t] = tracks[i, :, t - 1]
-            else:
+            elif not given:
                 s = candidates.start_m[c, i] + state[i, 0]
                 tracks[i, S, t] = s
                 marks[i, 0] = _place(paths, i, marks[i, 0], s, tracks, t)
@@ -101,8 +109,11 @@ def run_candidate(
 
 
 @inner_kernel
-def _move(state: Floats, i: int, dt: float) -> None:
-    """Change the speed of participant i towards its target, then its travelled distance."""
+def _move(state: Floats, i: int, dt: float) -> bool:
+    """Change the speed of participant i towards its target, then its travelled distance.
+
+    Whether it has come to the end of its path, where it stops.
+    """
     if state[i, 3] > 0.0:
         step = state[i, 3] * dt
         gap = state[i, 2] - state[i, 1]
@@ -113,6 +124,18 @@ def _move(state: Floats, i: int, dt: float) -> None:
         else:
             state[i, 1] -= step
     state[i, 0] += state[i, 1] * dt
+    if state[i, 0] < state[i, 4]:
+        return False
+    state[i, 0], state[i, 1], state[i, 3] = state[i, 4], 0.0, 0.0
+    return True
+
+
+@inner_kernel
+def _stands_since(state: Floats, i: int, t: int) -> float:
+    """The first step of those in which participant i has stood up to t; -1: it moves."""
+    if state[i, 1] >= STANDING_MPS:
+        return -1.0
+    return float(state[i, 5] if state[i, 5] >= 0.0 else t)
 
 
 @inner_kernel
