@@ -44,7 +44,7 @@ def test_what_is_broken_is_named_and_fails(scegen, made):
     [
         (["no.yaml", "-o", "x"], "no.yaml"),
         (["list.txt"], "-o DIR"),
-        (["list.txt", "-o", "x", "--engine", "slurm"], "joblib or ray"),
+        (["list.txt", "-o", "x", "--engine", "slurm"], "is not one of 'joblib', 'ray'"),
         (["list.txt", "-o", "x", "--engine", "ray", "--address", "127.0.0.1:1"], "no Ray cluster"),
         (["--verify"], "names no folder"),
         (["nowhere", "--verify"], "holds no campaign"),

@@ -1,8 +1,7 @@
 """scegen render: a scenario as moving pictures for slides and READMEs."""
 
-from enum import StrEnum
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
@@ -12,13 +11,6 @@ from scegen.errors import InputError
 from scegen.pipeline.place import scenario_file
 
 _NAME = "animation"
-
-
-class ThemeName(StrEnum):
-    """Variants of the colours."""
-
-    LIGHT = "light"
-    DARK = "dark"
 
 
 def render(
@@ -51,7 +43,7 @@ def render(
         float, typer.Option(min=0.05, max=8.0, help="1 is real time, 0.25 slow motion.")
     ] = 1.0,
     width: Annotated[int, typer.Option(min=240, max=1920, help="Width in pixels.")] = 720,
-    theme: Annotated[ThemeName, typer.Option(help="Colours.")] = ThemeName.LIGHT,
+    theme: Annotated[Literal["light", "dark"], typer.Option(help="Colours.")] = "light",
 ) -> None:
     """Render a scenario as animated GIF, video or a still picture."""
     from scegen.checking.subject import CONCRETE_FILE

@@ -1,14 +1,13 @@
 """scegen trace: everybody's movements as a file for other tools."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
 from scegen.cli.console import write_bytes
 from scegen.cli.options import OutputFile, ScenarioOption
 from scegen.errors import InputError
-from scegen.pipeline.options import TraceFormat, TracePlayer
 from scegen.pipeline.place import scenario_file
 
 
@@ -23,8 +22,9 @@ def trace(
     output: OutputFile = None,
     scenario: ScenarioOption = None,
     player: Annotated[
-        TracePlayer, typer.Option(help="Whose movements: our own simulation's, or esmini's.")
-    ] = TracePlayer.OWN,
+        Literal["own", "esmini"],
+        typer.Option(help="Whose movements: our own simulation's, or esmini's."),
+    ] = "own",
     dt: Annotated[
         float, typer.Option(min=0.001, max=1.0, help="Time step in s; esmini is played at 0.05.")
     ] = 0.05,
@@ -42,9 +42,9 @@ def trace(
     source = scenario_file(place, CONCRETE_FILE, scenario)
     content = trace_file(
         load(source, ConcreteScenario),
-        TraceFormat.MCAP if mcap else TraceFormat.CSV,
         folder=source.parent,
-        player=player,
+        mcap=mcap,
+        esmini_plays=player == "esmini",
         dt_s=dt,
     )
     write_bytes(content, output)

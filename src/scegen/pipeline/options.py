@@ -1,4 +1,4 @@
-"""What ``generate`` and ``trace`` may be told."""
+"""What ``generate`` may be told."""
 
 from dataclasses import dataclass
 from enum import StrEnum
@@ -53,17 +53,3 @@ class Options:
     solutions: int = 1
     where: str | None = None
     rules: RuleFile | None = None
-
-
-class TracePlayer(StrEnum):
-    """Whose movements."""
-
-    OWN = "own"
-    ESMINI = "esmini"
-
-
-class TraceFormat(StrEnum):
-    """What a trace can be written as."""
-
-    CSV = "csv"
-    MCAP = "mcap"

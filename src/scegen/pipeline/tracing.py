@@ -10,21 +10,15 @@ from scegen.motion import build_paths, simulate
 from scegen.motion.model import Trace
 from scegen.motion.traces import traces_csv
 from scegen.motion.trigger_steps import STEP_S
-from scegen.pipeline.options import TraceFormat, TracePlayer
 from scegen.report.mcap_file import mcap_of
 from scegen.road import build_network
 from scegen.scenario.concrete import ConcreteScenario
 
 
 def trace_file(
-    concrete: ConcreteScenario,
-    form: TraceFormat,
-    *,
-    folder: Path,
-    player: TracePlayer = TracePlayer.OWN,
-    dt_s: float = STEP_S,
+    concrete: ConcreteScenario, *, folder: Path, mcap: bool, esmini_plays: bool, dt_s: float
 ) -> bytes:
-    """The content of a file with everybody's movements.
+    """The content of a file with everybody's movements, as a table or as MCAP.
 
     ``folder`` is where its scenario file lies, for esmini to play; ``dt_s`` is the step of our own
     simulation, s, while esmini is played at ``STEP_S``.
@@ -35,12 +29,11 @@ def trace_file(
         RoadInfeasibleError, MotionInfeasibleError: the numbers cannot be built.
     """
     network = build_network(concrete.road, concrete.name)
-    traces: dict[str, Trace]
-    if player is TracePlayer.OWN:
-        traces = simulate(concrete, build_paths(concrete, network), dt_s=dt_s)
-    else:
+    if esmini_plays:
         traces = _played(concrete, folder / SCENARIO_FILE, dt_s)
-    if form is TraceFormat.MCAP:
+    else:
+        traces = simulate(concrete, build_paths(concrete, network), dt_s=dt_s)
+    if mcap:
         return mcap_of(concrete, network, traces)
     return traces_csv(traces).encode()
 

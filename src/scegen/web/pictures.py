@@ -11,18 +11,10 @@ from scegen.report.tile import TILE_WIDTH, describe, roads, tile_body, tile_svg
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalScenario
 
-
-def _properties() -> Theme:
-    """A theme whose every colour is the custom property of its name."""
-    colours: dict[str, Any] = {
-        field.name: f"var(--{field.name.replace('_', '-')})" for field in fields(Theme)
-    }
-    count = len(LIGHT.participants)
-    people = tuple(f"var(--participant-{number})" for number in range(1, count + 1))
-    return Theme(**{**colours, "name": "page", "participants": people})
-
-
-PAGE = _properties()
+_COLOURS: dict[str, Any] = {f.name: f"var(--{f.name.replace('_', '-')})" for f in fields(Theme)}
+_PEOPLE = tuple(f"var(--participant-{number + 1})" for number in range(len(LIGHT.participants)))
+PAGE = Theme(**{**_COLOURS, "name": "page", "participants": _PEOPLE})
+"""A theme whose every colour is the custom property of its name."""
 
 
 def tile_picture(scenario: LogicalScenario, functional: FunctionalScenario) -> str:

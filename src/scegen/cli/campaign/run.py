@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 from rich.progress import (
@@ -41,7 +41,7 @@ def run(
     workers: Annotated[
         int | None, typer.Option(min=1, help="Worker processes; all processors if not given.")
     ] = None,
-    engine: Annotated[str, typer.Option(help="Who runs the work: joblib or ray.")] = "joblib",
+    engine: Annotated[Literal["joblib", "ray"], typer.Option(help="Who runs the work.")] = "joblib",
     address: Annotated[
         str | None, typer.Option(help="Ray cluster to use; DIR must be seen by all its nodes.")
     ] = None,
@@ -117,8 +117,6 @@ def _run(
     from scegen.campaign.order import load_campaign
     from scegen.campaign.running import run_campaign
 
-    if engine not in {*Engine}:
-        raise InputError(f"there is no engine {engine!r}", where="--engine", hint="joblib or ray")
     campaign = load_campaign(source, changes)
     force = Workforce(Engine(engine), workers or os.cpu_count() or 1, address)
     with _watching() as watch:
