@@ -14,7 +14,7 @@ from collections import Counter, defaultdict
 from collections.abc import Iterator
 from pathlib import Path
 
-from scegen.checking import CheckReport, check_path
+from scegen.checking import CheckReport, check_files
 from scegen.checking.check import CHECKERS, QUICK_CHECKERS
 from scegen.errors import ScegenError
 
@@ -38,7 +38,7 @@ def main() -> None:
     reports: list[CheckReport] = []
     for path in files(asked.places):
         try:
-            reports += check_path(path, checkers)
+            reports += check_files([path], checkers)
         except ScegenError as problem:
             print(f"{path.name}: {problem.message}")
     verdicts = Counter((r.checker, r.status.value) for report in reports for r in report.results)

@@ -7,7 +7,7 @@ import re
 import pytest
 from lxml import etree
 
-from scegen.checking import CheckStatus, Severity, check_folder, check_path
+from scegen.checking import CheckStatus, Severity, check_files, check_folder
 from scegen.checking.asam import Job, run_asam
 from scegen.checking.asam.xqar import RuleOutcome, merged
 from scegen.checking.environment import asam_python
@@ -164,5 +164,5 @@ def test_only_rules_for_another_version_come_from_the_twin():
 
 
 def test_single_road_file(folder):
-    [report] = check_path(folder / "road.xodr", ASAM)
+    [report] = check_files([folder / "road.xodr"], ASAM)
     assert [result.checker for result in report.results] == ["asam-opendrive"]

@@ -18,7 +18,6 @@ from scegen.checking import (
     CheckStatus,
     check_files,
     check_folder,
-    check_path,
     reports_table,
 )
 from scegen.checking.environment import installed_tools
@@ -30,7 +29,7 @@ OWN = ("opendrive", "openscenario")
 
 
 def test_scenario_folder(folder):
-    [report] = check_path(folder, OWN)
+    [report] = check_files([folder], OWN)
     assert report == check_folder(folder, OWN)
     assert report.ok
     assert [result.checker for result in report.results] == list(OWN)
@@ -40,7 +39,7 @@ def test_generate_folder(folder, tmp_path):
     made = tmp_path / "out"
     for name in ("002-b", "001-a"):
         shutil.copytree(folder, made / "scenarios" / name)
-    reports = check_path(made, OWN)
+    reports = check_files([made], OWN)
     assert [report.folder.rsplit("/")[-1] for report in reports] == ["001-a", "002-b"]
 
 
@@ -50,13 +49,13 @@ def test_a_made_scenario_that_lost_its_file_is_not_passed_over(folder, tmp_path)
         shutil.copytree(folder, made / "scenarios" / name)
     (made / "scenarios" / "002-b" / "scenario.xosc").unlink()
     with pytest.raises(InputError, match=r"002-b/scenario\.xosc"):
-        check_path(made, OWN)
+        check_files([made], OWN)
 
 
 def test_single_files(folder):
-    [road] = check_path(folder / "road.xodr", OWN)
+    [road] = check_files([folder / "road.xodr"], OWN)
     assert [result.checker for result in road.results] == ["opendrive"]
-    [scenario] = check_path(folder / "scenario.xosc", OWN)
+    [scenario] = check_files([folder / "scenario.xosc"], OWN)
     assert [result.checker for result in scenario.results] == list(OWN)
     assert scenario.ok
 
@@ -65,19 +64,19 @@ def test_folder_of_foreign_files(folder, tmp_path):
     foreign = tmp_path / "foreign"
     foreign.mkdir()
     shutil.copy(folder / "road.xodr", foreign / "town.xodr")
-    assert [report.ok for report in check_path(foreign, OWN)] == [True]
+    assert [report.ok for report in check_files([foreign], OWN)] == [True]
     shutil.copy(folder / "concrete.yaml", foreign)  # numbers alone make it no scenario of ours
-    assert [report.ok for report in check_path(foreign, OWN)] == [True]
+    assert [report.ok for report in check_files([foreign], OWN)] == [True]
     (foreign / "town.xodr").rename(foreign / "road.xodr")
     (foreign / "concrete.yaml").unlink()
     shutil.copy(folder / "scenario.xosc", foreign / "drive.xosc")
-    assert [report.ok for report in check_path(foreign, OWN)] == [True, True]
+    assert [report.ok for report in check_files([foreign], OWN)] == [True, True]
 
 
 def test_single_scenario_without_its_road(folder, tmp_path):
     lone = tmp_path / "lone.xosc"
     shutil.copy(folder / "scenario.xosc", lone)
-    [report] = check_path(lone, OWN)
+    [report] = check_files([lone], OWN)
     assert {f.rule for f in report.result("openscenario").findings} == {"xosc.road_file"}
 
 
@@ -85,17 +84,17 @@ def test_single_scenario_without_its_road(folder, tmp_path):
 def test_missing_file(folder, name):
     (folder / name).unlink()
     with pytest.raises(InputError, match=name):
-        check_path(folder)
+        check_files([folder])
 
 
 def test_nothing_there(tmp_path):
     for path in (tmp_path / "none", tmp_path):
         with pytest.raises(InputError):
-            check_path(path)
+            check_files([path])
     other = tmp_path / "notes.txt"
     other.write_text("nothing")
     with pytest.raises(InputError, match="neither"):
-        check_path(other)
+        check_files([other])
 
 
 def test_broken_concrete_scenario(folder):

@@ -18,7 +18,7 @@ def external(folder):
     """The folder, with the ego left to somebody else."""
     concrete = load(folder / "concrete.yaml", ConcreteScenario)
     paths = build_paths(concrete, build_network(concrete.road, concrete.name))
-    written = write_openscenario(concrete, paths, ego="external")
+    written = write_openscenario(concrete, paths, external_ego=True)
     assert written.count(MARK) == 1
     (folder / "scenario.xosc").write_bytes(written)
     return folder

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from scegen.checking import CheckStatus, Severity, check_path
+from scegen.checking import CheckStatus, Severity, check_files
 from scegen.checking.opendrive import check_opendrive
 from scegen.checking.opendrive.curves import Arc, Cubic, Poly3, Spiral
 from scegen.checking.opendrive.lanes import reference
@@ -178,7 +178,7 @@ def test_a_road_may_be_named_by_a_parameter(tmp_path):
     )
     scenario = tmp_path / "their.xosc"
     scenario.write_text(text)
-    (report,) = check_path(scenario, (CHECKER,))
+    (report,) = check_files([scenario], (CHECKER,))
     assert not [f for r in report.results for f in r.findings if f.rule == "xosc.road_file"]
     assert {r.checker: r.status for r in report.results}[CHECKER] is CheckStatus.PASSED
 
@@ -191,6 +191,6 @@ def test_our_own_conventions_bind_our_own(folder):
         .replace(b"<elevationProfile>", b"<x>")
         .replace(b"</elevationProfile>", b"</x>")
     )
-    alone, served = (check_path(p, ["opendrive"])[0].result("opendrive") for p in (path, folder))
+    alone, served = (check_files([p], ["opendrive"])[0].result("opendrive") for p in (path, folder))
     assert alone.status is CheckStatus.PASSED
     assert served.status is CheckStatus.FAILED

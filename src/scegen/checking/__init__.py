@@ -1,6 +1,6 @@
 """An independent verdict on exported files: it reads the files, never our own models of them.
 
-``check_folder`` and ``check_path`` run every checker that is installed; one that is not, or
+``check_folder`` and ``check_files`` run every checker that is installed; one that is not, or
 that could not look at everything, says ``not_run``, which is never a pass.
 """
 
@@ -10,7 +10,6 @@ from scegen.checking.check import (
     REPLAY,
     check_files,
     check_folder,
-    check_path,
 )
 from scegen.checking.results import CheckReport, CheckResult, CheckStatus, Finding, Severity
 from scegen.checking.table import reports_table
@@ -26,6 +25,5 @@ __all__ = [
     "Severity",
     "check_files",
     "check_folder",
-    "check_path",
     "reports_table",
 ]

@@ -1,6 +1,7 @@
 """All checkers on scenario folders and files."""
 
 from collections.abc import Collection, Iterable, Iterator
+from functools import partial
 from pathlib import Path
 
 from scegen.checking import asam, opendrive, openscenario, parameters, replay, said, schema
@@ -53,17 +54,8 @@ def check_folder(folder: Path, checkers: Collection[str] = CHECKERS) -> CheckRep
     return check_subjects([read_folder(folder)], checkers)[0]
 
 
-def check_path(path: Path, checkers: Collection[str] = CHECKERS) -> list[CheckReport]:
-    """Check a scenario folder, a folder of ``scegen generate``, or one file.
-
-    Raises:
-        InputError: there is nothing to check, or a file cannot be read.
-    """
-    return check_subjects(find_subjects(path), checkers)
-
-
 def check_files(paths: Iterable[Path], checkers: Collection[str] = CHECKERS) -> list[CheckReport]:
-    """Check several folders and files, ASAM's rules for all of them in one process.
+    """Check scenario folders, folders of ``scegen generate`` and files, ASAM's rules at once.
 
     Raises:
         InputError: there is nothing to check, or a file cannot be read.
@@ -190,7 +182,12 @@ def _given(subject: Subject) -> Iterator[bytes]:
     if concrete is None or scenario is None:
         return
     outside = openscenario.driven_from_outside(scenario.name, scenario.content)
-    ego, road_file = "external" if outside else "scripted", subject.road_name
-    paths = build_paths(concrete, build_network(concrete.road))
-    for version in ("1.0", "1.2"):
-        yield write_openscenario(concrete, paths, road_file=road_file, version=version, ego=ego)
+    write = partial(
+        write_openscenario,
+        concrete,
+        build_paths(concrete, build_network(concrete.road)),
+        road_file=subject.road_name,
+        external_ego=bool(outside),
+    )
+    yield write(version="1.0")
+    yield write(version="1.2")

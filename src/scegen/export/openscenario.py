@@ -28,7 +28,6 @@ from scegen.motion.model import Path
 from scegen.scenario.concrete import ConcreteScenario
 from scegen.scenario.wording import counted
 
-EGO_MODES = ("scripted", "external")
 """Who drives the ego: the file, or somebody outside it."""
 _MINOR: dict[str, int] = {"1.0": 0, "1.2": 2}
 _DATE = datetime(2024, 1, 1)  # without a zone: strptime-based readers take none
@@ -43,37 +42,33 @@ def write_openscenario(
     *,
     road_file: str = "road.xodr",
     version: str = "1.0",
-    ego: str = "scripted",
+    external_ego: bool = False,
     lamps: bool = False,
 ) -> bytes:
     """The scenario as an OpenSCENARIO file; the same input gives the same bytes.
 
     A path of one vertex means that it stands. ``road_file`` is where the OpenDRIVE file lies, as
-    seen from the scenario file; ``version`` is ``1.0`` or ``1.2``. A ``scripted`` ego follows its
-    path and program, an ``external`` one is placed with its speed and has no motion of its own, for
-    a driver outside the file. With ``lamps``, lights are changed by actions as well, as esmini
-    needs it and others refuse it.
+    seen from the scenario file; ``version`` is ``1.0`` or ``1.2``. An ``external_ego`` is placed
+    with its speed and has no motion of its own, for a driver outside the file. With ``lamps``,
+    lights are changed by actions as well, as esmini needs it and others refuse it.
 
     Raises:
-        InputError: the version or the ego is none of these, or a participant has no path.
+        InputError: the version is none of these, or a participant has no path.
     """
     if version not in _MINOR:
         raise InputError(
             f"OpenSCENARIO {version} cannot be written", hint=f"use {' or '.join(_MINOR)}"
         )
-    if ego not in EGO_MODES:
-        raise InputError(f"an {ego} ego is unknown", hint=f"use {' or '.join(EGO_MODES)}")
     missing = [p.id for p in concrete.participants if p.id not in paths]
     if missing:
         raise InputError(f"no path for {', '.join(missing)}", where=concrete.name)
     with _library_writes(_MINOR[version]) as minor:
-        external = ego == "external"
         numbers = numbers_of(concrete, paths)
         return _scenario(
             header_description(concrete.name),
             xosc.ParameterDeclarations(),
-            entities(concrete, external_ego=external),
-            storyboard(concrete, paths, numbers, minor, external_ego=external, lamps=lamps),
+            entities(concrete, external_ego=external_ego),
+            storyboard(concrete, paths, numbers, minor, external_ego=external_ego, lamps=lamps),
             _roads(concrete, road_file),
             minor,
         )

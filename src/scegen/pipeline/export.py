@@ -1,6 +1,6 @@
 """A concrete scenario as files: road, scenario, the numbers themselves and a picture."""
 
-from functools import lru_cache
+from functools import lru_cache, partial
 
 from scegen.checking.subject import CONCRETE_FILE, ROAD_FILE, SCENARIO_FILE
 from scegen.export.opendrive import write_opendrive
@@ -36,19 +36,17 @@ def export_scenario(
     """
     network = build_network(concrete.road)
     paths = build_paths(concrete, network)
+    external = ego == "external"
+    write = partial(write_openscenario, concrete, paths, version=osc, external_ego=external)
     files = {
         ROAD_FILE: road_file(concrete.road, concrete.signals),
-        SCENARIO_FILE: write_openscenario(
-            concrete, paths, road_file=ROAD_FILE, version=osc, ego=ego
-        ),
+        SCENARIO_FILE: write(),
         CONCRETE_FILE: to_yaml(concrete).encode(),
     }
     if picture:
         files[PREVIEW_FILE] = png_of(preview_svg(concrete, network, paths))
     if concrete.signals is not None:
-        files[LAMPS_FILE] = write_openscenario(
-            concrete, paths, road_file=ROAD_FILE, version=osc, ego=ego, lamps=True
-        )
+        files[LAMPS_FILE] = write(lamps=True)
     return files
 
 
