@@ -3,7 +3,7 @@
 import pytest
 from mutating import changed, later, on_road, phase, start
 from saying import made, missed
-from sayings import AT_JUNCTIONS, LANES, QUEUE, RED, RING, RUSHES, SKEWED, TURNS_LEFT, ZEBRA
+from sayings import AT_JUNCTIONS, LANES, QUEUE, RED, RING, RUSHES, SKEWED, STRAYS, TURNS_LEFT, ZEBRA
 
 from scegen.scenario.concrete import LaneChange, SpeedPhase, Travelled
 from scegen.scenario.vocabulary import Control, DrivingSide
@@ -46,6 +46,17 @@ def aside(c, name):
     return changed(c, name, {"lane_changes": (out,), "exit_lane": 2})
 
 
+def earlier_astray(c, name):
+    """What it is said to do it has done before, and what leads to the contact is not that."""
+    out, back = c.participant(name).motion.lane_changes
+    early = [
+        each.model_copy(update={"position_m": start(c, name) + at_m, "length_m": 10.0})
+        for each, at_m in ((out, 1.0), (back, 12.0))
+    ]
+    unsaid = [each.model_copy(update={"hazard": None}) for each in (out, back)]
+    return changed(c, name, {"lane_changes": (*early, *unsaid)})
+
+
 def signs_elsewhere(c):
     return on_road(c, controlled_arms=frozenset(range(4)) - c.road.controlled_arms)
 
@@ -65,6 +76,11 @@ MUTATIONS = {
         TURNS_LEFT,
         lambda c: changed(c, "car", {"exit": 3}),
         "maneuver.turn.car",
+    ),
+    "it has come back before it hits": (
+        STRAYS,
+        lambda c: earlier_astray(c, "van"),
+        "hazard.0.oncoming_lane",
     ),
     "it leaves by another arm": (
         TURNS_LEFT,

@@ -150,7 +150,14 @@ LANES = said(
     person("car", approaches=["adjacent", "right"], maneuvers=["straight"]),
     junction={"lanes": [2, 2, 2, 2]},
 )
-AT_JUNCTIONS = [TURNS_LEFT, RUSHES, QUEUE, RING, ZEBRA, RED, SKEWED, LANES]
+STRAYS = said(
+    "four_way",
+    person("ego", maneuvers=["straight"]),
+    person("van", "van", approaches=["opposite"], maneuvers=["straight"]),
+    hazards=[{"kind": "oncoming_lane", "by": ["van"], "to": ["ego"]}],
+    outcome={"kind": "collision", "between": ["ego", "van"]},
+)
+AT_JUNCTIONS = [STRAYS, TURNS_LEFT, RUSHES, QUEUE, RING, ZEBRA, RED, SKEWED, LANES]
 PASSES = said(
     "straight",
     person("ego", speed=80),

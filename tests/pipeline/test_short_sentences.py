@@ -41,6 +41,11 @@ SENTENCES = (
     "The ego changes to the left lane in front of a car that drives at 80 km/h 20 m behind it.",
     "At a T-junction the truck ahead, at 55 km/h, brakes hard.",
     "Head-on: ego 50 km/h, car 50 km/h, 50 % overlap.",
+    "The ego turns left at a junction. A car from the left drifts into its lane and hits it.",
+    "The ego and a truck ahead wait at a red light. At green the truck sets off, the ego follows.",
+    "Behind a bus the ego stands at a red light. At green the bus sets off and stops again at "
+    "once, and the ego hits it.",
+    "The car 3 m ahead sets off when the light turns green, and the ego stays where it is.",
 )
 
 

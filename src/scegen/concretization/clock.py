@@ -10,10 +10,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from math import inf
 
 from scegen.concretization.clearance import same_lane, touches
 from scegen.concretization.drafts import DriveDraft, Wait
-from scegen.concretization.lights import lay_lights, wait_for_green
+from scegen.concretization.lights import WAITS_S, lay_lights, wait_for_green
 from scegen.concretization.limits import APPROACH_S, HEADWAY_S, LEAD_IN_S
 from scegen.concretization.meetings import ORDINARY, Meeting
 from scegen.concretization.priorities import Manners, patient_ones
@@ -124,7 +125,10 @@ def _latest_s(scene: Setup, first_s: Mapping[str, float]) -> Iterator[float]:
         if draft.backs_out:
             # It stands near where it starts until its time has come.
             yield draft.offset_s
-        elif not (draft.stands or scene.sets_off(name) or scene.stands_at_line(name)):
+        elif scene.stands_at_line(name):
+            goes = draft.course.going_on
+            yield inf if goes is None else draft.offset_s + goes.begins_s - WAITS_S
+        elif not (draft.stands or scene.sets_off(name)):
             places = [first_s[name], draft.junction_s_m - _BEFORE_JUNCTION_M]
             places += [mark.s_m for mark in draft.speed_changes() if mark.s_m > 0.5]
             places += [draft.laid.path_s_m(change.position_m) for change in draft.lane_changes]
@@ -196,7 +200,7 @@ def make_late(place: Placing, begins_s: float, manners: Manners | None = None) -
                 continue
             usual = draft.offset_s if usual is None else usual
             if manners is not None:
-                wait_for_green(manners.scene, draft)
+                wait_for_green(manners.scene, draft, line)
                 if not manners.settle(draft, people):
                     _wait_again(before)
                     continue
@@ -210,7 +214,7 @@ def make_late(place: Placing, begins_s: float, manners: Manners | None = None) -
             _wait_again(before)
     draft.offset_s = place.offset_s if usual is None else usual
     if manners is not None:
-        wait_for_green(manners.scene, draft)
+        wait_for_green(manners.scene, draft, line)
 
 
 def _wait_again(before: Mapping[DriveDraft, Wait | None]) -> None:

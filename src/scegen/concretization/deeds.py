@@ -31,6 +31,7 @@ from scegen.scenario.acts import (
 from scegen.scenario.logical import Reverses
 from scegen.scenario.reversing import BacksUp
 from scegen.scenario.signals import AtLight
+from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import HazardKind, Maneuver
 
 STOOD_S = 200.0
@@ -43,6 +44,8 @@ _AGAIN_M = 4.0
 """So far beyond the line is who went at green as it brakes again."""
 _INTO_M, _ROLLS_M = 0.5, 0.4
 _TURNS_AT = 0.6
+_SETS_OFF_M = 8.0
+"""Who waits for green does what it does besides after so much of its way over the line."""
 _LATE = 0.5
 """One who brakes late begins with half of the braking distance left."""
 
@@ -81,25 +84,35 @@ def do_acts(scene: Setup) -> None:
 def stand_in_line(scene: Setup) -> None:
     """Those who are said to stay stand before the junction, one behind the other, for good.
 
-    Before those who walk over their arm, too.
+    Before those who walk over their arm, too. Who waits for green does so behind them, or behind
+    others who wait.
     """
     for draft in sorted(scene.drives.values(), key=lambda each: each.drive.rank):
-        if not draft.stands or draft.steps:
+        waits = not draft.stands and scene.waits_for_green(draft.id)
+        if draft.steps or not (draft.stands or waits):
             continue
         walks = [w for w in scene.walks.values() if w.crossing.arm == draft.drive.entry]
         crossed_m = (w.from_junction_m + w.body.width_m / 2 + _BEFORE_WALKER_M for w in walks)
         free_m = max(crossed_m, default=_QUEUE_BEFORE_LINE_M)
         place = draft.junction_s_m - draft.body.front_m - free_m
+        place = draft.waits_s_m if waits else place
         ahead = ahead_on_arm(scene, draft)
         for other in [o for o in ahead if o.entry_lane == draft.entry_lane][-1:]:
-            behind = other.body.rear_m + _QUEUE_GAP_M + draft.body.front_m
+            said = scene.between(draft.id, other.id, Measure.GAP_M)
+            gap_m = _QUEUE_GAP_M if said is None else said.value.middle
+            behind = other.body.rear_m + gap_m + draft.body.front_m
             if other.stands:
                 place = other.course.ends_m - behind
+            elif scene.waits_for_green(other.id):
+                place = other.waits_s_m - behind
             elif isinstance(back := other.reversal, BacksUp):
                 comes_to = draft.laid.path_s_m(back.from_m - back.length_m) - behind
                 touches = scene.contact_wanted(other.id, draft.id)
                 place = comes_to + _QUEUE_GAP_M + (_INTO_M if touches else -_INTO_M)
-        stand(draft, min([place, *_before_slowing_m(scene, draft)]))
+        if waits:
+            draft.queues_m = draft.waits_s_m - place
+        else:
+            stand(draft, min([place, *_before_slowing_m(scene, draft)]))
 
 
 def stand(draft: DriveDraft, place_m: float) -> None:
@@ -253,6 +266,8 @@ def _place(scene: Setup, draft: DriveDraft) -> None:
     if at_line or (is_free and _stops_at_light(scene, draft)):
         line = draft.stop_line_s_m - draft.body.front_m - _BEFORE_LINE_M
         place = line - _way_m(draft.speed_mps, [first])
+    elif lets_by is None and is_free and scene.waits_for_green(draft.id):
+        place = draft.waits_s_m + _SETS_OFF_M
     elif lets_by is not None:
         place = lets_by[0] - _way_m(draft.speed_mps, [first])
     elif is_open(scene, first) and draft.waits is not None:  # "sets off at green, brakes again"

@@ -57,7 +57,8 @@ class DriveDraft:
     ``reversal`` is a part driven backwards; one that backs out (of arm ``from_arm``, if not from
     beside the road) joins its drive at station ``joins_m``. Within ``alone_s_m`` of its path only
     the marks of dangers count. ``backs_to`` is somebody who crosses behind it. ``waits`` at
-    its line. ``offset_s`` is how late it is against its course.
+    its line, or ``queues_m`` before it, behind who does so there. ``offset_s`` is how late it is
+    against its course.
     """
 
     id: str
@@ -86,6 +87,7 @@ class DriveDraft:
     alone_s_m: tuple[float, float] | None = None
     laid_: LaidDrive | None = None
     waits: Wait | None = None
+    queues_m: float = 0.0
 
     def braking_mps2(self, wanted_mps2: float) -> float:
         """How hard it brakes if it wants to so much: as hard as its brakes and tyres can."""
@@ -134,6 +136,11 @@ class DriveDraft:
     def stop_line_s_m(self) -> float:
         """Arc length at the stop line of the entry arm."""
         return self.junction_s_m - self.laid.stretches[0].road.stop_line_m
+
+    @property
+    def waits_s_m(self) -> float:
+        """Arc length where it waits for green, or before it goes over the line."""
+        return self.stop_line_s_m - self.body.front_m - self.queues_m
 
     @property
     def arrives_s_m(self) -> float:
@@ -220,7 +227,7 @@ class DriveDraft:
             stands_s = STOPS_FOR_S if self.waits is None else self.waits.time_s
             speed = narrow[0][2] if narrow else self.speed_mps
             on = SpeedChange(speed, faster, sort=Sort.GOES_ON, then_s=stands_s)
-            marks[:1] = [self._slow_before(self.stop_line_s_m - self.body.front_m, 0.0, on)]
+            marks[:1] = [self._slow_before(self.waits_s_m, 0.0, on)]
         on_mps = max(self.speed_mps, self.joins_mps)
         marks += [SpeedChange(on_mps, faster, s_m=end, sort=Sort.FREES) for _, end, _ in narrow]
         return marks

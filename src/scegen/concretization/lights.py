@@ -5,7 +5,7 @@ comes later stands at the line while it has red, and goes with its green. Where 
 somebody meets a light, it is laid once more around everybody, when all times are known.
 """
 
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from math import isfinite
 from typing import NamedTuple
 
@@ -47,6 +47,8 @@ _LATE_S = 0.3
 WAITS_S, STOOD_S = 4.0, 100.0
 """Who is said to wait for green stands so long; and who stands there when it begins."""
 _LEAST_WAIT_S = 0.5
+_STARTING_WAVE_MPS = 5.0
+"""Of those who queue one sets off after the other, about 18 km/h backwards."""
 _TO_THE_LINE_S = 4.0
 """Who sets off late is over the line so soon after."""
 _FEW = 1e-3
@@ -54,10 +56,11 @@ _EXACTLY = 10.0
 """So much more than room counts it that one sets off when that is said."""
 
 
-def wait_for_green(scene: Setup, draft: DriveDraft) -> None:
+def wait_for_green(scene: Setup, draft: DriveDraft, line: Sequence[DriveDraft] = ()) -> None:
     """Let a drive stand at its line until green where there are lights: at red, or if it is said.
 
-    Who runs into one that stands on its arm comes no farther.
+    Those of a ``line`` who wait for green set off one after the other. Who runs into one that
+    stands on its arm comes no farther.
     """
     plan, functional = scene.signals, scene.functional
     if plan is None:
@@ -73,7 +76,12 @@ def wait_for_green(scene: Setup, draft: DriveDraft) -> None:
         return
     delay_s = _green_delays_s(functional).get(draft.id)
     goes = crosses_s(draft) + plan.cycle_s - since
-    goes += _STARTS_S if delay_s is None else delay_s
+    goes += _STARTS_S + draft.queues_m / _STARTING_WAVE_MPS if delay_s is None else delay_s
+    for mate in line if waits and delay_s is None else ():
+        starts = mate.course.going_on if scene.waits_for_green(mate.id) else None
+        if starts is not None:
+            behind_m = draft.queues_m - mate.queues_m
+            goes = mate.offset_s + starts.begins_s + behind_m / _STARTING_WAVE_MPS
     # One that sets off late has stood for longer: it came to rest before green.
     least = _LEAST_WAIT_S if delay_s is None else delay_s + _STARTS_S
     draft.waits = Wait(least)

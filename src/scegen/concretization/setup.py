@@ -14,10 +14,10 @@ from scegen.road.model import RoadNetwork, Route
 from scegen.scenario.acts import GAINING, SLOWING, Act, ActKind, AfterAct
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.hazards import HAZARDS
-from scegen.scenario.logical import LogicalScenario
+from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.road_parameters import RoadParameters
-from scegen.scenario.signals import SignalPlan
+from scegen.scenario.signals import AtLight, SignalPlan
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver
 
 
@@ -155,7 +155,25 @@ class Setup(Tale):
         return any(act.kind is ActKind.SET_OFF for act in self.speed_acts(name)[:1])
 
     def stands_at_line(self, name: str) -> bool:
-        """Whether one who drives on is said to stand there from the start."""
-        one = self.functional.participant(name)
+        """Whether one who drives on is said to stand there from the start.
+
+        Who waits for its light before one that stands does so, too.
+        """
+        one, drive = self.functional.participant(name), self.logical.assignment(name)
         stands = one.strip is None and one.speed_mps is not None and one.speed_mps.high == 0.0
+        if one.light is AtLight.WAITS and isinstance(drive, Drive):
+            line = (
+                d for d in self.logical.drives if (d.entry, d.lane) == (drive.entry, drive.lane)
+            )
+            stands |= any(d.rank > drive.rank and self._stands(d) for d in line)
         return stands and not self.sets_off(name)
+
+    def waits_for_green(self, name: str) -> bool:
+        """Whether one is said to stand at its light and to go on, or does so from the start."""
+        waits = self.functional.participant(name).light is AtLight.WAITS
+        return waits or self.stands_at_line(name)
+
+    def _stands(self, drive: Drive) -> bool:
+        speed = self.functional.participant(drive.participant).speed_mps
+        stays = drive.maneuver is Maneuver.STAY
+        return stays or (speed is not None and speed.high == 0.0)

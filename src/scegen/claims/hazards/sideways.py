@@ -11,6 +11,7 @@ from scegen.claims.hazards.predicate import Part, Predicate, at_least, at_most
 from scegen.claims.series import chosen, greatest, least
 from scegen.claims.view import View
 from scegen.claims.ways import Sideways
+from scegen.motion.batch.arrays import Floats
 from scegen.scenario.vocabulary import HazardKind
 
 _AFTER_S = 1.5
@@ -31,6 +32,23 @@ def _changes(view: View, by: str, kind: HazardKind) -> list[Sideways]:
     """Its lane changes of a danger, or all if none is marked so."""
     changes = list(view.ways[by].changes)
     return [c for c in changes if c.change.hazard is kind] or changes
+
+
+def off_lane_s(view: View, by: str, kind: HazardKind) -> list[tuple[Floats, Floats]]:
+    """From when until when it is out of where it drove, each time that it leaves that (c,)."""
+    motion, those = view.ways[by].participant.motion, _changes(view, by, kind)
+    here = home = (getattr(motion, "entry_lane", 0), getattr(motion, "offset_m", 0.0))
+    spells: list[tuple[Floats, Floats]] = []
+    out_s: Floats | None = None
+    for change in view.ways[by].changes:
+        there = change.change.lane_after, change.change.offset_m
+        if change in those and out_s is None:
+            home, out_s = here, view.reaches_s(by, change.start_m)
+        elif there == home and out_s is not None:
+            spells.append((out_s, view.reaches_s(by, change.end_m)))
+            out_s = None
+        here = there
+    return spells if out_s is None else [*spells, (out_s, np.full(view.count, np.inf))]
 
 
 def cut_in(view: View, by: str, to: str) -> list[Part]:

@@ -5,8 +5,9 @@ from functools import partial
 
 import numpy as np
 
-from scegen.claims.claim import Claim, ClaimKind, Judged
+from scegen.claims.claim import NEVER, Claim, ClaimKind, Judged
 from scegen.claims.hazards.judging import decisive, in_order
+from scegen.claims.hazards.sideways import off_lane_s
 from scegen.claims.moments import act_begins, speed_runs
 from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import Told, plain
@@ -19,6 +20,8 @@ from scegen.scenario.vocabulary import HazardKind, Maneuver
 
 _CLEARLY = 1.0
 """The margin of what either happens or not: more than a search asks for."""
+_OFF_LANE = frozenset({HazardKind.ONCOMING_LANE, HazardKind.SWERVING,
+                       HazardKind.LOSS_OF_CONTROL})  # fmt: skip
 _ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE})
 _MADE_BY: dict[HazardKind, frozenset[ActKind]] = {
     HazardKind.HARD_BRAKING: SLOWING,
@@ -49,6 +52,8 @@ def claim_id(number: int, kind: HazardKind) -> str:
 
 def _test_of(told: Told, hazard: Hazard) -> Callable[[Told, Hazard, View], Judged]:
     """What decides: the amounts that the text gives, or else the predicate's thresholds."""
+    if hazard.kind in _OFF_LANE:
+        return _by_that
     if _measured_out(told, hazard):
         return _as_said
     paced = {p.id for p in told.functional.participants if p.speed_mps is not None}
@@ -129,6 +134,26 @@ def _in_time(told: Told, hazard: Hazard, view: View) -> Judged:
     early_s = np.min([*hits_s, np.full(view.count, np.inf)], axis=0) + view.dt_s - stands.time_s
     margin = np.where(early_s < 0.0, np.minimum(stands.margin, early_s), stands.margin)
     return Judged(margin, margin, stands.time_s)
+
+
+def _by_that(told: Told, hazard: Hazard, view: View) -> Judged:
+    """Who leaves its lane and hits somebody by that alone does so before it is back."""
+    leaves = (_as_said if _measured_out(told, hazard) else _happens)(told, hazard, view)
+    margin = leaves.margin
+    for by in _culprits_alone(told, hazard):
+        hit = hit_s(told, view, by)
+        hits_s, during_s = np.minimum(hit, NEVER), np.full(view.count, -NEVER)
+        for out_s, back_s in off_lane_s(view, by, hazard.kind):
+            within_s = np.minimum(hits_s - out_s, np.minimum(back_s, NEVER) - hits_s)
+            during_s = np.maximum(during_s, within_s)
+        margin = np.where(np.isfinite(hit), np.minimum(margin, during_s), margin)
+    return Judged(margin, margin, leaves.time_s)
+
+
+def _culprits_alone(told: Told, hazard: Hazard) -> list[str]:
+    """Who causes it, and neither that one nor whom it hits does anything else that is dangerous."""
+    others = {n for h in told.hazards if h.kind not in _OFF_LANE for n in (*h.by, *h.to)}
+    return [by for by in hazard.by if others.isdisjoint({by, *_struck(told, hazard, by)})]
 
 
 def _struck(told: Told, hazard: Hazard, by: str) -> list[str]:

@@ -15,11 +15,14 @@ from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools, Floats, Ints
 from scegen.motion.rules.lights import RED_FOR_S, at_lights, light_runners, must_obey
 from scegen.motion.rules.stopping import AT_LINE_M, OVER_LINE_M, STOPPED_MPS, STOPPED_S, must_stop
-from scegen.scenario.concrete import CrossingMotion
+from scegen.scenario.concrete import CrossingMotion, DriveMotion
 from scegen.scenario.logical import Drive
 from scegen.scenario.model import Interval
 from scegen.scenario.signals import AtLight, SignalGroup, SignalPlan, SignalState
 from scegen.scenario.vocabulary import Control
+
+_QUEUES_WITHIN_M = 10.0
+"""So near behind one who waits at the line one waits there, too."""
 
 
 def claims(told: Told) -> Iterator[Claim]:
@@ -120,12 +123,36 @@ def rests_at_line(view: View, name: str) -> Bools:
     return (front < OVER_LINE_M) & (front > -AT_LINE_M) & (view.speed_mps(name) < STOPPED_MPS)
 
 
+def _rests_in_queue(view: View, name: str, behind: frozenset[str] = frozenset()) -> Bools:
+    """The same, or right behind one who stands there so in its lane; not one who is ``behind``."""
+    rests, way = rests_at_line(view, name), view.ways[name]
+    short_m = way.line_m - view.place_m(name) - view.body(name).front_m
+    stands = view.speed_mps(name) < STOPPED_MPS
+    for other in _of_its_lane(view, name) - behind:
+        rear_m = view.ways[other].line_m - view.place_m(other) + view.body(other).rear_m
+        close = (short_m > rear_m) & (short_m - rear_m < _QUEUES_WITHIN_M)
+        if (stands & close).any():
+            rests = rests | (stands & close & _rests_in_queue(view, other, behind | {name}))
+    return rests
+
+
+def _of_its_lane(view: View, name: str) -> set[str]:
+    """Others who come in by the lane in which somebody does."""
+    motions = {each: way.participant.motion for each, way in view.ways.items()}
+    lanes = {
+        each: (motion.entry, motion.entry_lane)
+        for each, motion in motions.items()
+        if isinstance(motion, DriveMotion)
+    }
+    return {each for each, lane in lanes.items() if each != name and lane == lanes.get(name)}
+
+
 def _rest_at_line(drive: Drive, view: View) -> tuple[Bools, Floats]:
     """Whether it has come to rest before its line, and for how long its light is not green then.
 
     Below 0: how long its light has been green (c,).
     """
-    rests, light = rests_at_line(view, drive.participant), _light(view, drive.entry)
+    rests, light = _rests_in_queue(view, drive.participant), _light(view, drive.entry)
     at_all = np.asarray(rests.any(axis=1))
     if light is None:
         return at_all, np.full(view.count, -NEVER)

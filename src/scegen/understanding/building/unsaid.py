@@ -36,10 +36,10 @@ def maneuvers_of(entity: Entity, junction: Junction, draft: Draft) -> set[Maneuv
         entity.maneuver_basis = entity.stands
         return {Maneuver.STAY}
     bides = entity.told.get("bides")
-    # somebody comes up behind who stands there: the ego, or another behind the ego
+    # somebody comes up behind who stands there, or hits it: the ego, or another behind the ego
     seen = [e.approaches for e in draft.entities] if entity.ego else [entity.approaches]
     stands = {Approach.BEHIND if entity.ego else Approach.AHEAD} in seen
-    stands = stands or entity in draft.causing(HazardKind.OCCLUSION)
+    stands = stands or "is_hit" in entity.told or entity in draft.causing(HazardKind.OCCLUSION)
     if bides is not None and entity.sets_off < 0 and stands:
         entity.maneuver_basis = bides.because("it waits, and nothing says that it turns")
         if entity.ego:
@@ -80,7 +80,7 @@ def _followed(
     through = told.get("through") if entity.ego or entity.claimed else None
     stays = "moves" not in told and entity.sets_off < 0 and not entity.pulls_out
     held = (told.get("held") or (entity.stands if entity.ego else None)) if stays else None
-    if any(token.low == "green" for token in draft.tokens):
+    if "stays_put" not in told and any(token.low == "green" for token in draft.tokens):
         held = None  # "stands at a red light", and it turns green
     if entity.ego and held is not None and held is entity.stands:
         return Maneuver.STAY, held, "nothing says that it goes on"

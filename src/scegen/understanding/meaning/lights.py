@@ -55,6 +55,10 @@ def read_lights(clauses: list[Clause], chunks: list[Chunk], context: Context) ->
         elif light.colour is not AtLight.RED:
             for entity in [e for e in light.whose if e.is_vehicle]:
                 _note(entity, light.colour, Basis(light.place.i, light.place.j), context)
+    if any(token.low == "green" for token in context.tokens):  # "stands at a red light", until then
+        for entity in context.draft.entities:
+            if entity.light is None and "held" in entity.told and "stays_put" not in entity.told:
+                _note(entity, AtLight.WAITS, entity.told["held"], context)
     _report(clauses, lights, changes, context)
 
 

@@ -86,6 +86,10 @@ FACTS: dict[str, Test] = {
     "from_rest": lambda clause, _: any(  # "accelerates from standstill"
         e.stands is not None and e.sets_off >= clause.event.i for e in clause.actors
     ),
+    "gone_at_green": lambda clause, _: any(  # "sets off at green and stops again"
+        e.light is not None and "held" not in e.told and (e.light[1].i or 0) < clause.event.i
+        for e in clause.actors
+    ),
     "moves_over": _moves_over,
     **lanes.FACTS,
     **ways.FACTS,

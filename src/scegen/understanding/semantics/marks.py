@@ -21,6 +21,8 @@ NOTED = (
     "moves", "through", "circulates", "waits", "on_ramp", "roadside", "exits", "gives_way",
     "held",  # it stands at a light when it begins
     "bides",  # it waits to turn
+    "is_hit",  # somebody drives into it
+    "stays_put",  # it does not go on, whatever others do
     "begins_over",  # it only begins to change lanes, as far as has been told
     "goes_back",  # it goes back before it has changed lanes
     "backs",  # it drives backwards at some time
