@@ -190,11 +190,9 @@ def _parameters(concrete: ConcreteScenario) -> dict[str, float]:
         if isinstance(participant.motion, DriveMotion):
             found[f"{participant.id}.start_m"] = participant.motion.start_m
         for number, phase in enumerate(participant.speed_program):
-            name = f"{participant.id}.phase_{number}"
-            value = getattr(phase.trigger, phase.trigger.measured)
-            found[f"{name}.target_speed_mps"] = phase.target_speed_mps
-            found[f"{name}.rate_mps2"] = phase.rate_mps2
-            found[f"{name}.{phase.trigger.measured}"] = value
+            for place, value in phase.numbers.items():
+                name = place.removeprefix("trigger.")
+                found[f"{participant.id}.phase_{number}.{name}"] = value
     return found
 
 

@@ -13,7 +13,7 @@ from scegen.report.bodies import braking
 from scegen.report.camera import camera_views
 from scegen.report.drawing import box, circle, document, letters, line
 from scegen.report.moving_labels import MovingLabels
-from scegen.report.stage import Stage, around, ego_first, gap_between, make_stage, name_and_speed
+from scegen.report.stage import Stage, around, gap_between, make_stage, name_and_speed
 from scegen.report.theme import Theme
 from scegen.report.world import View, corners_at
 from scegen.road.model import RoadNetwork
@@ -141,7 +141,7 @@ def make_film(
     lasts[-1] = max(lasts[-1], _LAST_S)
     if shown is not None:
         lasts[shown.step] = max(lasts[shown.step], _HOLD_S)
-    people = ego_first(concrete)
+    people = concrete.ego_first
     boxes = {
         p.id: np.array([around(v, corners_at(traces[p.id], n)) for n, v in enumerate(views)])
         for p in people

@@ -100,7 +100,7 @@ def overview(stage: Stage, view: View, encounter: Encounter | None, framed: View
         drawn += box(*view.frame(framed), "none", stroke=theme.text, stroke_width=1, rx=3,
                      stroke_dasharray="4 3")  # fmt: skip
     labels = []
-    for p in ego_first(stage.concrete):
+    for p in stage.concrete.ego_first:
         at, bold = around(view, stage.box_of(p.id, 0)), p is stage.concrete.ego
         labels.append(Label(name_and_speed(p, p.speed_mps), at, bold=bold))
     labels += [Label(o.id, around(view, thing_corners(o))) for o in stage.concrete.objects]
@@ -128,7 +128,7 @@ def moment(stage: Stage, view: View, step: int, title: str, encounter: Encounter
         world.append(gap)
         labels.append(label)
     drawn = view.picture("".join(world), theme.ground, f"at-{step}")
-    for participant in ego_first(stage.concrete):
+    for participant in stage.concrete.ego_first:
         at = around(view, stage.box_of(participant.id, step))
         speed_mps = float(stage.traces[participant.id].speed_mps[step])
         if _inside(view, at):
@@ -212,11 +212,6 @@ def _scale_bar(view: View, theme: Theme) -> tuple[str, Rectangle]:
     drawn = line([(x, y), (right, y)], theme.halo, 5) + line([(x, y), (right, y)], theme.text, 2.2)
     drawn += letters(words, x, y - 5, 11.5, theme.text, halo=theme.halo)
     return drawn, (x, y - 18, max(right, x + text_width(words, 11.5)), y + 3)
-
-
-def ego_first(concrete: ConcreteScenario) -> list[ConcreteParticipant]:
-    """Everybody, the ego before the others."""
-    return sorted(concrete.participants, key=lambda p: p is not concrete.ego)
 
 
 def around(view: View, points: Array) -> Rectangle:

@@ -2,14 +2,13 @@
 
 from math import cos, pi, sin
 
-from scegen.motion import build_paths, simulate
-from scegen.motion.model import Trace
-from scegen.motion.standing import object_paths
+from scegen.motion import build_paths
+from scegen.motion.batch import compile_program, simulate_batch
+from scegen.motion.batch.arrays import HEADING, SPEED, X, Y
 from scegen.motion.trigger_steps import STEP_S
 from scegen.road import build_network
 from scegen.scenario.bodies import Body
-from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
-from scegen.scenario.objects import StaticObject
+from scegen.scenario.concrete import ConcreteScenario
 
 _COLUMNS = (
     "Entity_Name [-]",
@@ -38,32 +37,24 @@ def simulated_csv(concrete: ConcreteScenario) -> str:
         RoadInfeasibleError, MotionInfeasibleError: the numbers cannot be built.
     """
     paths = build_paths(concrete, build_network(concrete.road))
-    traces = simulate(concrete, paths, dt_s=STEP_S)
-    still = object_paths(concrete)
-    entities: list[ConcreteParticipant | StaticObject] = [*concrete.ego_first, *concrete.objects]
+    program = compile_program(concrete, paths)
+    run = simulate_batch(*program, duration_s=concrete.duration_s, dt_s=STEP_S)
+    tracks = dict(zip((entity.id for entity in concrete.entities), run.tracks[0], strict=True))
+    entities = sorted(concrete.entities, key=lambda entity: entity is not concrete.ego)
     header = [f"#{n} {name}" for n in range(1, len(entities) + 1) for name in _COLUMNS]
     lines = [", ".join(["Index [-]", "TimeStamp [s]", *header])]
-    for step in range(round(concrete.duration_s / STEP_S) + 1):
+    for step in range(run.tracks.shape[3]):
         cells = [f"{step}", f"{step * STEP_S:.6f}"]
         for number, entity in enumerate(entities):
-            if entity.id in traces:
-                state = _state(traces[entity.id], step)
-            else:
-                pose = still[entity.id].start
-                state = (0.0, pose.x_m, pose.y_m, pose.heading_rad)
+            state = tracks[entity.id][[SPEED, X, Y, HEADING], step].tolist()
             cells += [entity.id, f"{number}", *_block(entity.body, *state)]
         lines.append(", ".join(cells) + ", ")
     return "\n".join(lines) + "\n"
 
 
-def _state(trace: Trace, step: int) -> tuple[float, float, float, float]:
-    rows = (trace.speed_mps, trace.x_m, trace.y_m, trace.heading_rad)
-    speed, x, y, heading = (float(row[min(step, len(row) - 1)]) for row in rows)
-    return speed, x, y, heading
-
-
 def _block(body: Body, speed: float, x: float, y: float, heading: float) -> list[str]:
-    """The cells of one entity behind its name and number."""
+    """The cells of one entity behind its name and number; its speed is told without a sign."""
+    speed = abs(speed)
     box = (body.centre_ahead_m, 0.0, body.height_m / 2)
     size = (body.length_m, body.width_m, body.height_m)
     velocity = (speed * cos(heading), speed * sin(heading))

@@ -175,17 +175,15 @@ def meetings_of(
     ways = {**paths, **object_paths(concrete)}
     order = [ways[name] for name in names]
     ego = concrete.ego.id
-    chosen: dict[tuple[int, int], None] = {}
-    known = {frozenset((ego,))}
-    for a, b in [tuple(pair)[:2]] * bool(pair) + [(ego, n) for n in names] + judged_pairs(concrete):
-        if frozenset((a, b)) not in known:
-            known.add(frozenset((a, b)))
-            chosen[index[a], index[b]] = None
+    wanted = [tuple(pair)[:2]] * bool(pair) + [(ego, n) for n in names if n != ego]
+    chosen: dict[frozenset[str], tuple[int, int]] = {}
+    for a, b in wanted + judged_pairs(concrete):
+        chosen.setdefault(frozenset((a, b)), (index[a], index[b]))
     sights = [*occlusions(concrete), *_sights(concrete)]
     scene = build_tables(
         order,
         [entity.body for entity in concrete.entities],
-        pairs=list(chosen),
+        pairs=list(chosen.values()),
         occlusions=[(index[a], index[b], index[c]) for a, b, c in dict.fromkeys(sights)],
         friction=friction_of(concrete.environment),
     )
