@@ -7,15 +7,8 @@ from scegen.scenario.concrete import ConcreteParticipant, ConcreteScenario
 from scegen.scenario.objects import StaticObject
 from scegen.scenario.vocabulary import ANIMALS, ON_FOOT, ParticipantKind, Role
 
-_CATEGORY: dict[ParticipantKind, str] = {
-    ParticipantKind.CAR: "car",
-    ParticipantKind.VAN: "van",
-    ParticipantKind.TRUCK: "truck",
-    ParticipantKind.BUS: "bus",
-    ParticipantKind.MOTORCYCLE: "motorbike",
-    ParticipantKind.BICYCLE: "bicycle",
-    ParticipantKind.EMERGENCY_VEHICLE: "van",
-}
+_CATEGORY = {ParticipantKind.MOTORCYCLE: "motorbike", ParticipantKind.EMERGENCY_VEHICLE: "van"}
+"""What the standard calls otherwise, or has no word for."""
 _WHEEL_DIAMETER_M = 0.6
 _MAX_STEERING_RAD = 0.6
 
@@ -83,7 +76,7 @@ def _vehicle(participant: ConcreteParticipant, body: Body) -> xosc.Vehicle:
     radius = _WHEEL_DIAMETER_M / 2
     return xosc.Vehicle(
         body.blueprint,
-        getattr(xosc.VehicleCategory, _CATEGORY[participant.kind]),
+        getattr(xosc.VehicleCategory, _CATEGORY.get(participant.kind, participant.kind)),
         _box(body),
         xosc.Axle(_MAX_STEERING_RAD, _WHEEL_DIAMETER_M, track, body.wheelbase_m, radius),
         xosc.Axle(0.0, _WHEEL_DIAMETER_M, track, 0.0, radius),

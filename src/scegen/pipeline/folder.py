@@ -113,9 +113,8 @@ def record(file: Path) -> None:
         if not made:
             continue
         summary = folder / SUMMARY_FILE
-        told = json.loads(summary.read_text(encoding="utf-8"))
         made[place.relative_to(folder).as_posix()] = digest(place.read_bytes())
-        told["files"] = dict(sorted(made.items()))
+        told = summary_of(folder) | {"files": dict(sorted(made.items()))}
         text = json.dumps(told, indent=2, ensure_ascii=False) + "\n"
         summary.write_text(text, encoding="utf-8")
         return

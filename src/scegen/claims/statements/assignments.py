@@ -203,9 +203,9 @@ def _goes_out(told: Told, drive: Drive, view: View) -> Judged:
         if number not in {drive.entry, drive.exit}:
             reached = arm.length_m - arm.place(box)[0]
             wrong |= (arm.facing(box) < -0.95) & (reached > 5.0) & (away > gone + 5.0)
-    excused |= on_entry & told.plain_road
-    margin = np.where(excused & ~wrong, np.maximum(margin, 0.0), margin)
-    return Judged(margin, gone, view.time_of(last))
+    excused = (excused | (on_entry & told.plain_road)) & ~wrong
+    margin = np.where(excused, np.maximum(margin, 0.0), margin)
+    return Judged(margin, np.where(excused & (gone < 0.0), np.nan, gone), view.time_of(last))
 
 
 def _is_held_up(told: Told, name: str, view: View) -> Bools:
