@@ -16,6 +16,7 @@ from scegen.road.cross_section import CARRIAGEWAY, KERBED, half_width_m
 from scegen.scenario.acts import RESTING, SLOWING, Act, ActKind, BeforeJunction
 from scegen.scenario.bodies import Body
 from scegen.scenario.functional import Participant
+from scegen.scenario.in_line import goes_first
 from scegen.scenario.logical import Crossing
 from scegen.scenario.spacings import CONTACT, Measure
 from scegen.scenario.vocabulary import HazardKind, Side
@@ -119,7 +120,8 @@ def aim_m(tale: Tale, walk: Walker, met: Met) -> float:
     if brakes(tale, met.who):
         return met.middle_m
     clear = (met.body.width_m + walk.body.length_m) / 2 + _PASSES_BEFORE_S * walk.speed_mps
-    if walk.id in tale.endangered_by(met.who, OWES):  # the other just passes before it
+    owed = walk.id in tale.endangered_by(met.who, OWES)
+    if owed or goes_first(tale.functional, met.who, walk.id):  # the other just passes before it
         passes_s = met.body.length_m / max(met.speed_mps, 1.0)
         return met.middle_m - clear - walk.speed_mps * passes_s
     return met.middle_m + clear

@@ -3,7 +3,7 @@
 from collections.abc import Collection, Iterable
 from typing import Literal
 
-from scegen.scenario.acts import LEAVING, SLOWING, Act, ActKind
+from scegen.scenario.acts import LEAVING, LETS_BY, SLOWING, Act, ActKind
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.hazards import HAZARDS, Arrangement, Motion
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
@@ -22,7 +22,8 @@ def is_said_ahead(
     """Whether one is ahead of another when an act begins or ends; None where nothing tells.
 
     Who cuts in comes in ahead and who overtakes ends ahead, wherever they came from; who brakes
-    is ahead of whom that endangers. Else words of the start count, until one goes aside.
+    is ahead of whom that endangers, who crosses is behind whom it lets go first. Else words of the
+    start count, until one goes aside.
     """
     act = next((a for a in functional.acts if a.id == at), None)
     if act is None:
@@ -78,10 +79,18 @@ def in_next_lane(words: Collection[Approach]) -> Approach | None:
     return along.pop() if Approach.ADJACENT in words and len(along) == 1 else None
 
 
+def goes_first(functional: FunctionalScenario, other: str, name: str) -> bool:
+    """Whether somebody is said to let another go first."""
+    acts = (act for act in functional.acts if act.kind in LETS_BY)
+    return any((act.participant, act.into) == (name, other) for act in acts)
+
+
 def _by_act(
     functional: FunctionalScenario, hazards: Iterable[Hazard], act: Act, other: str, since: str
 ) -> bool | None:
     """Whether who acts is ahead of another: as the danger that it makes has it."""
+    if act.kind is ActKind.CROSS and goes_first(functional, other, act.participant):
+        return False
     if act.kind is ActKind.OVERTAKE and other in functional.overtaken(act.participant):
         return since == "end"
     if act.kind is ActKind.CHANGE_LANE and act.into == other and _passes(functional, act, other):

@@ -42,8 +42,8 @@ def said(told: Told) -> Iterator[Claim]:
         if act.kind in LETS_BY and act.into is not None:
             name, kind = f"{act.id}.into", ClaimKind.ACT
             does = f"{act.participant} lets {act.into} go first"
-            # Along a plain road one gets past the other.
-            meet = not told.plain_road or told.drive(act.into) is None
+            # Along a plain road one who drives gets past the other.
+            meet = not told.plain_road or None in map(told.drive, (act.participant, act.into))
             test = partial(_lets_by if meet else _gets_past, act.participant, act.into)
             yield Claim(f"act.{name}", kind, does, f"acts.{name}", "s", test, TIME_S)
 

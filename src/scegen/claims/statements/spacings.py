@@ -33,7 +33,7 @@ from scegen.scenario.spacings import CONTACT, LENGTHWISE, START, Measure, Spacin
 from scegen.scenario.vocabulary import Side
 
 _COVERED_M = 0.02
-_LEAST_MPS = 0.1
+_LEAST_MPS, _ALONG = 0.1, 0.5
 _FADES_S = 0.3
 """So long a move aside goes on, slower than anybody sees, when it has ended."""
 
@@ -180,7 +180,7 @@ def measure_at(
     gap, along = gap_m(frame, box), same_way(frame, box)
     if ahead is not None:
         there = clear.front if ahead == (other == who) else clear.rear
-        gap = np.where(along > 0.0, there, gap)
+        gap = np.where(along > -_ALONG, there, gap)
     if measure is Measure.GAP_M:
         return gap
     speed, others = (at(view.speed_mps(name), step) for name in (own, other))

@@ -25,6 +25,7 @@ from scegen.concretization.walkers import (
     stops,
 )
 from scegen.scenario.acts import LETS_BY, Act, ActKind, AfterStart, WhenMeasure
+from scegen.scenario.in_line import goes_first
 from scegen.scenario.logical import Crossing
 from scegen.scenario.spacings import LENGTHWISE, START, Measure, Spacing
 from scegen.scenario.vocabulary import Side
@@ -131,7 +132,10 @@ def _time(story: Story, walk: Walk, meets: Runner, told: _Told | None, takes: fl
         moment += walk.rests_s() if told.since == "end" else walk.slows_s()
     meets = meets if told.act is None else _unbraked(story, meets)
     away = told.value * (1.0 if told.measure is Measure.GAP_M else meets.speed_at_mps(moment))
-    walk.x_m = meets.x_m(moment) + meets.towards * (meets.leading_m + away + half)
+    apart_m = meets.leading_m + away + half
+    if told.act is not None and goes_first(story.functional, meets.id, walk.id):
+        apart_m = meets.leading_m - meets.body.length_m - away - half
+    walk.x_m = meets.x_m(moment) + meets.towards * apart_m
     if told.act is None and not walk.timed:
         arrival = meets.profile.time_s(abs(meets.x_m(moment) - meets.x_m(0.0)) + away)
         walk.sets_off_s = max(0.0, arrival - takes) if arrival < NEVER_S else _LEAST_LEAD_S

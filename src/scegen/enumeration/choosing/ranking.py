@@ -27,8 +27,8 @@ def richest_first(scenario: LogicalScenario, functional: FunctionalScenario) -> 
     """A key to sort by: rich before poor, of equally rich ones the plainest first.
 
     But who reverses at a junction comes out of an arm, as out of a drive, where it can; everybody
-    meets somebody and they come from all sides, if that can be had; and of whom no turn is said
-    keeps its course, the ego before all.
+    meets somebody and they come from all sides, if that can be had; of whom no turn is said keeps
+    its course, the ego before all; and who turns meets those on foot on the road it turns into.
     """
     ego = functional.ego
     turning = {d.participant for d in scenario.drives if d.turn is not Maneuver.STRAIGHT}
@@ -38,5 +38,7 @@ def richest_first(scenario: LogicalScenario, functional: FunctionalScenario) -> 
     odd = sum(junction and drive.reverses is Reverses.BACKS_UP for drive in scenario.drives)
     moving = (d for d in scenario.drives if junction and d.maneuver is not Maneuver.STAY)
     arms = {drive.entry for drive in moving}
-    varied = -len(meeting), -len(arms), len(strays), -richness(scenario, functional)
+    left = {d.entry for d in scenario.drives if d.participant in turning}
+    early = sum(crossing.arm in left for crossing in scenario.crossings)
+    varied = -len(meeting), -len(arms), len(strays), early, -richness(scenario, functional)
     return odd, ego.id in strays, *varied, len(turning), scenario.index

@@ -8,7 +8,7 @@ from itertools import product
 from scegen.scenario.acts import SLOWING, ActKind
 from scegen.scenario.vocabulary import HazardKind, Maneuver, Side
 from scegen.understanding.amounts.aside import to_the_side
-from scegen.understanding.amounts.letting_by import let_by
+from scegen.understanding.amounts.letting_by import goes_after, let_by
 from scegen.understanding.amounts.telling import CHANGING, Telling
 from scegen.understanding.chunks import Place
 from scegen.understanding.entity import Basis
@@ -130,8 +130,8 @@ def _past_and_back(found: list[Doing], text: Telling) -> None:
     ]  # fmt: skip
 
 
-def _acts_of(scene: Clause, text: Telling) -> list[Doing]:
-    event, context = scene.event, text.context
+def _acts_of(clause: Clause, text: Telling) -> list[Doing]:
+    scene, event, context = clause, clause.event, text.context
     whom = let_by(scene, text)
     context.acts = []
     say("acts.first", scene, context)
@@ -139,6 +139,8 @@ def _acts_of(scene: Clause, text: Telling) -> list[Doing]:
     if whom and event.name not in {"stop", "wait"}:
         scene = replace(scene, event=replace(event, name="yield"))
     said = say("acts.done", scene, context) and context.acts
+    if said and whom and goes_after(clause):  # "crosses 5 m behind the ego" is two acts
+        say("acts.done", clause, context)
     if not said or say("acts.owed", scene, context):
         return first
     made = []
@@ -150,7 +152,10 @@ def _acts_of(scene: Clause, text: Telling) -> list[Doing]:
         if doing.forced and (either or doing.kind is ActKind.GIVE_WAY):
             doing.always = doing.forced = False
         if whom and doing.kind in {ActKind.STOP, ActKind.GIVE_WAY}:
-            doing.into, doing.into_basis = whom[0], doing.basis
+            words = (
+                Basis(p.word.i, p.who.j) for p in event.pps if p.who and whom[0] in p.who.entities
+            )
+            doing.into, doing.into_basis = whom[0], next(words, doing.basis)
         if doing.kind is ActKind.STOP and "halts" in doing.entity.told:
             doing.kind, doing.into = ActKind.CROSS, None  # as far as the kerb
             doing.amounts["distance_m"] = Amount(STILL, doing.basis)
@@ -236,8 +241,11 @@ def _told_again(doing: Doing, found: list[Doing], text: Telling) -> bool:
             before.told += [doing.i] if same else []
             return same
         return not doing.always
-    if before.i == doing.i:
-        return doing.kind is not ActKind.GIVE_WAY or before.into is doing.into
+    gives_way = doing.kind is ActKind.GIVE_WAY
+    if gives_way and before.into is not doing.into:
+        return False
+    if gives_way or before.i == doing.i:
+        return True
     if None not in {before.side, doing.side} and before.side is not doing.side:
         # "changes to the left lane … changes back to the right one": out of whose lane it came
         doing.into = None if doing.into is before.into else doing.into

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.acts import ActKind
+from scegen.scenario.acts import RESTING, ActKind
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.model import Interval
 from scegen.scenario.spacings import Measure
@@ -38,6 +38,19 @@ def within_the_lane(text: Telling) -> None:
             amount = _to("right" in place.dirs, Interval(low=low, high=high), basis)
             for who in [e for e in clause.actors if e.is_vehicle and not (e.parked or e.strip)]:
                 text.found.spacings.append(Apart(Measure.LATERAL_OFFSET_M, who, who, amount))
+
+
+def on_the_line(text: Telling) -> None:
+    """``stops on the centre line``: who goes across rests in the middle of the road."""
+    for clause in text.scenes:
+        lines = [p for p in clause.places() if p.kind == "centerline" and p.prep]
+        own = text.acts(clause.event.i, clause.event.j, RESTING) if lines else []
+        for doing in [a for a in own if Maneuver.CROSS in a.entity.maneuvers]:
+            middle = Amount(Interval(low=0.0, high=0.0), Basis(lines[0].i, lines[0].j))
+            two = doing.entity, doing.entity
+            text.found.spacings.append(
+                Apart(Measure.LATERAL_OFFSET_M, *two, middle, doing, since="end")
+            )
 
 
 def _within(place: Place, text: Telling) -> bool:

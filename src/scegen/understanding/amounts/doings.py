@@ -17,6 +17,7 @@ from scegen.understanding.lexicon import word_list
 
 _PLAIN = frozenset({"duration", "distance", "lateral_speed", "lateral_move"})
 _SIDE_REACH = 4
+_IDLE = frozenset({"wait", "delay"})
 _CHANGES = frozenset({ActKind.BRAKE, ActKind.ACCELERATE, ActKind.SET_OFF})
 
 
@@ -66,7 +67,8 @@ def rests(figure: Figure) -> bool:
     doing = own[-1] if own else None
     stops = doing is not None and doing.kind is ActKind.STOP and not doing.amounts
     if doing is None or not stops:
-        if not who[0].is_vehicle:  # it waits at the kerb
+        under_way = bool(own) or any(p.names("lane", "road", "middle") for p in event.pps)
+        if not (who[0].is_vehicle or under_way):  # it waits at the kerb
             return False
         doing = text.add(Doing(ActKind.WAIT, who[0], Basis(event.i, event.j), event.i))
     else:
@@ -112,7 +114,8 @@ def _lasting(figure: Figure, field: str, kinds: frozenset[ActKind]) -> Doing | N
     noun = next((e for e in (event, event.parent) if e is not None and e.nominal), None)
     if not own and noun is not None:  # "the lane change takes 5 s", "lasts 5 s"
         own = text.acts(0, len(text.tokens), {*kinds} & {frames().get(noun.name)})
-    if not own:  # "changes lanes, needing 5 s": what those do of whom the verb tells
+    if not own and event.name not in _IDLE:
+        # "changes lanes, needing 5 s": what those do of whom the verb tells
         who = [e for c in scenes if c.event is event for e in c.actors]
         moves = [a for a in here if a.i < figure.i and a.kind is not ActKind.STOP]
         own = [a for a in moves if a.entity in who]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
-from scegen.scenario.vocabulary import Approach, Maneuver
+from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Mention, Thing
 from scegen.understanding.entity import Entity
@@ -23,6 +23,8 @@ def let_by(clause: Clause, text: Telling) -> list[Entity]:
     if event.lemma == "let":
         past = word_list("past_by").intersection(text.context.lows(event.j, event.j + _NEAR))
         return clause.targets if past or any(c.name in _GOES for c in event.children) else []
+    if goes_after(clause):
+        return _gone_before(clause, text)
     if event.name not in _HOLDING:
         return []
     given = [p for p in event.pps if p.value == "for"]
@@ -35,6 +37,23 @@ def let_by(clause: Clause, text: Telling) -> list[Entity]:
     if not named and event.name == "wait":
         return _coming_across(clause, text)
     return [e for mention in named for e in mention.entities if e not in clause.actors]
+
+
+def goes_after(clause: Clause) -> bool:
+    """Whether somebody goes across, behind whom it lets by or after it."""
+    going = all(Maneuver.CROSS in e.maneuvers for e in clause.actors)
+    return going and clause.event.name in _GOES
+
+
+def _gone_before(clause: Clause, text: Telling) -> list[Entity]:
+    """``crosses behind the ego``, ``crosses after it has passed``: who crosses lets that one by."""
+    backing = text.draft.causing(HazardKind.REVERSING)
+    behind = [p.who for p in clause.event.pps if p.value == "behind" and p.who and not p.outer]
+    there = [e for m in behind for e in m.entities if e.stands is None and e not in backing]
+    for told in [] if there else text.within(*text.bounds(clause.event.i)):
+        if told.event.name == "pass" and told.event.perfect and told.event.object is None:
+            there += told.actors
+    return [e for e in there if e.moving_vehicle and e not in clause.actors]
 
 
 def _until_gone(clause: Clause, text: Telling) -> list[Entity]:
@@ -71,6 +90,11 @@ def go_on(text: Telling) -> None:
             kept.remove(letting[0])
         elif stop.into is not None or any(a.kind is ActKind.TURN for a in later):
             stop.kind = ActKind.WAIT
+    for rest in [a for a in kept if a.kind is ActKind.WAIT]:  # who has paused crosses on
+        kept[:] = [
+            a for a in kept
+            if a.entity is not rest.entity or a.kind is not ActKind.CROSS or a.i < rest.i
+        ]  # fmt: skip
     for act in kept:
         before = act.when.act if act.when is not None else None
         if before is not None and (before not in kept or before.kind is ActKind.GIVE_WAY):

@@ -51,6 +51,7 @@ def read_amounts(
     figures.sort(key=lambda figure: not says_how(figure.role))
     _place([f for f in figures if f.role not in {"speed", "relative_speed"}])
     aside.within_the_lane(text)
+    aside.on_the_line(text)
     struck.settle(text)
     order(text)
     go_on(text)
@@ -112,8 +113,10 @@ def _clause_of_acts(acts: list[Doing]) -> Clause:
     whose = list(dict.fromkeys(act.entity for act in acts))
     amounts.setdefault("rate_mps2", [_rate(act) for act in acts])
     befores = [a.when.act for a in acts if a.when is not None and a.when.since == "end"]
-    passed_by = [o.entity for o in befores if o is not None and o.kind is ActKind.OVERTAKE]
     kind = acts[0].kind
+    passed_by = [o.entity for o in befores if o is not None and o.kind is ActKind.OVERTAKE]
+    if kind is ActKind.GIVE_WAY:
+        passed_by = [act.into for act in acts if act.into is not None]
     return Clause(_event(_VERBS.get(kind, kind.value), first), whose, passed_by, amounts)
 
 
