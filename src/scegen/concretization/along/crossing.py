@@ -25,10 +25,10 @@ from scegen.concretization.walkers import (
     stops,
 )
 from scegen.scenario.acts import LETS_BY, Act, ActKind, AfterStart, WhenMeasure
-from scegen.scenario.in_line import goes_first
+from scegen.scenario.in_line import goes_first, words_between
 from scegen.scenario.logical import Crossing
 from scegen.scenario.spacings import LENGTHWISE, START, Measure, Spacing
-from scegen.scenario.vocabulary import Side
+from scegen.scenario.vocabulary import Approach, Side
 
 _MEETS_S = 6.0
 _HOLDS_S = 0.6
@@ -36,7 +36,9 @@ _HOLDS_S = 0.6
 _LEAST_LEAD_S, _TOLD_LEAD_S = 1.0, 2.0
 BEFORE_WALKER_M = 0.9
 """Who stands, or is parked and hides somebody, does so that far before that one's line."""
-_LOOK_S = 0.05
+_LOOK_S, _SLOW_MPS = 0.05, 0.5
+_AFTER_S = 0.2
+"""Who runs after another sets off so much later."""
 
 
 class _Told(NamedTuple):
@@ -54,8 +56,13 @@ class _Told(NamedTuple):
 
 def cross(story: Story) -> None:
     """Let all go across who do, one after another."""
-    for crossing in story.logical.crossings:
-        story.walks[crossing.participant] = _walk(story, crossing)
+    names = [crossing.participant for crossing in story.logical.crossings]
+    led = {name: sum(_runs_before(story, other, name) for other in names) for name in names}
+    for crossing in sorted(story.logical.crossings, key=lambda c: led[c.participant]):
+        story.walks[crossing.participant] = walk = _walk(story, crossing)
+        for other in story.walks.values():
+            if _runs_before(story, other.id, walk.id) and other.act is walk.act is None:
+                other.sets_off_s = min(other.sets_off_s or 0.0, (walk.sets_off_s or 0.0) - _AFTER_S)
         react(story)
 
 
@@ -82,7 +89,9 @@ def _walk(story: Story, crossing: Crossing) -> Walk:
     steady = to_aim if far is None else min(to_aim, far - walk.gains_m)
     # It is as fast as that as they meet: it has gained its pace, and does not slow down yet.
     least = max(_HOLDS_S * pace - steady, to_aim - width if far is None else -steady)
-    walk.setback_m = max(walk.gains_m + least, setback_m(story, walk, strip))
+    before = [w for w in story.walks.values() if _runs_before(story, w.id, walk.id)]
+    behind = [w.setback_m + w.body.length_m + body.length_m for w in before]
+    walk.setback_m = max(walk.gains_m + least, setback_m(story, walk, strip), *behind)
     told = _spacing(story, walk, meets.id)
     said = story.between(participant.id, meets.id, Measure.LATERAL_OFFSET_M)
     if said is not None and said.at == START:  # it waits so far aside of the other
@@ -100,6 +109,11 @@ def _walk(story: Story, crossing: Crossing) -> Walk:
     walk.x_m += abreast_m(len(story.walks))
     walk.from_y_m = edge - into * walk.setback_m
     return walk
+
+
+def _runs_before(story: Story, name: str, other: str) -> bool:
+    """``a man runs after the dog``: of two who cross one is said to be ahead of the other."""
+    return words_between(story.functional, name, other) == {Approach.AHEAD}
 
 
 def _meets(story: Story, name: str) -> str:
@@ -138,6 +152,8 @@ def _time(story: Story, walk: Walk, meets: Runner, told: _Told | None, takes: fl
     walk.x_m = meets.x_m(moment) + meets.towards * apart_m
     if told.act is None and not walk.timed:
         arrival = meets.profile.time_s(abs(meets.x_m(moment) - meets.x_m(0.0)) + away)
+        if arrival >= NEVER_S and moment > 0.0:  # it brakes: when it would have been there
+            arrival = moment + away / max(meets.speed_at_mps(moment), _SLOW_MPS)
         walk.sets_off_s = max(0.0, arrival - takes) if arrival < NEVER_S else _LEAST_LEAD_S
 
 
@@ -164,6 +180,11 @@ def _spacing(story: Story, walk: Walk, other: str) -> _Told | None:
         if said.measure in LENGTHWISE and (its or then):
             at_s, away = story.begins_s.get(said.at, 0.0), _to_its_line(story, said)
             return _Told(said.measure, away, own.get(said.at), said.since, at_s)
+    for act in (a for a in story.acts if a.participant == other and a.id in story.begins_s):
+        when = act.when  # "the ego brakes when it is 20 m away"
+        if isinstance(when, WhenMeasure) and walk.id in {when.participant, when.reference}:
+            at_s = story.begins_s[act.id]
+            return _Told(when.measure, _to_its_line(story, when), None, at_s=at_s)
     return None
 
 

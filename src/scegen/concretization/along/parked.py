@@ -30,13 +30,20 @@ _IN_THE_WAY_M = 0.3
 def park(story: Story) -> None:
     """Give all who are parked their places, in rows.
 
-    Before those whom they hide, around one that opens its door, and others along the way.
+    Before those whom they hide, around one that opens its door, and others along the way. Who
+    stands in another lane and hides somebody stands so, too, if nothing else tells where.
     """
     hiding = {name for hazard in story.of_kind(HazardKind.OCCLUSION) for name in hazard.by}
     doors = {r.id for r in story.runners.values() if r.opens} - hiding
     opened = {r.on_left: name for name, r in story.parked.items() if name in doors}
-    rows: dict[tuple[bool, str], list[Runner]] = {}
-    for name, runner in story.parked.items():
+    told = {name for s in story.functional.spacings for name in (s.participant, s.reference)}
+    standing = story.parked | {
+        name: runner
+        for name, runner in story.runners.items()
+        if story.walks and name in hiding - told and runner.stands and not _leads(story, runner)
+    }
+    rows: dict[tuple[int, bool, str], list[Runner]] = {}
+    for name, runner in standing.items():
         left = runner.on_left
         # Whom it hides: who sets off from its side; from anywhere if it is said to hide somebody.
         hides = name in hiding
@@ -45,9 +52,15 @@ def park(story: Story) -> None:
         walk = walks[0] if walks and (hides or not hiding) else None
         before = opened.get(left) if not hides else None
         before = before or (walk.id if walk is not None else "")
-        rows.setdefault((left and bool(before), before), []).append(runner)
-    for (_, name), row in rows.items():
+        lane = runner.lane if name in story.runners else 0
+        rows.setdefault((lane, left and bool(before), before), []).append(runner)
+    for (_, _, name), row in rows.items():
         _in_a_row(story, row, name)
+
+
+def _leads(story: Story, runner: Runner) -> bool:
+    """Whether it stands in the ego's lane: how far ahead, the ego's answer tells."""
+    return (runner.lane, runner.forward) == (story.ego.lane, story.ego.forward)
 
 
 def _in_a_row(story: Story, row: list[Runner], before: str) -> None:

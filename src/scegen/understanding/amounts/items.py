@@ -20,6 +20,7 @@ _ANY = ThingKind.OBSTACLE.value
 _MOST = 5
 _NEAR = 4
 _SIDES = frozenset(Side)
+_MOVES = frozenset({"move", "enter", "cross", "walk", "dash", "lose_control"})
 _HIDING = frozenset({"behind", "between", "by", "from", "due"})
 
 
@@ -56,6 +57,10 @@ def _lie_in_the_way(danger: Danger, text: Telling) -> None:
             item = item_of(thing, text)
             item.blocks, item.blocked = True, _who_reacts(thing, text)
             _add(item, danger, text)
+        for scene in text.scenes:  # "a ball rolls onto the road"
+            follows = 0 <= scene.event.i - thing.j <= 1 and not scene.actors
+            if follows and scene.event.name in _MOVES and not scene.event.negated:
+                text.draft.note(scene.event.i, scene.event.j, "things do not move: it lies there")
 
 
 def _again(thing: Thing, before: list[Thing]) -> bool:

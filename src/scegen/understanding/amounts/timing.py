@@ -131,6 +131,8 @@ def _steps_out(figure: Figure) -> bool:
     crossing = text.acts(figure.start, figure.end, {ActKind.CROSS})
     does = [a for a in crossing if a.when is None and a.entity is not comes]
     ends = figure.i > figure.start and figure.does not in _SETTING_OUT  # "has left the lane 1 s …"
+    verb = figure.verb
+    ends = ends or (verb is not None and verb.perfect and verb.lemma == "cross")
     if comes is None or not does or ends:
         return False
     pair = {"entity": comes, "reference": does[0].entity}

@@ -40,7 +40,8 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
         about[0].ego = True
         return about
     roles = word_list("targets") | {"adversary"}
-    movers = [e for e in movers if roles.isdisjoint(e.labels | e.named_by)]  # never the ego
+    hiding = draft.causing(HazardKind.OCCLUSION)
+    movers = [e for e in movers if roles.isdisjoint(e.labels | e.named_by) and e not in hiding]
     motor = [e for e in movers if e.kind is not ParticipantKind.BICYCLE]
     crossers = draft.causing(HazardKind.CROSSING_CYCLIST)
     candidates = motor or [e for e in movers if e not in crossers]

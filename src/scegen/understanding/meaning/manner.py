@@ -159,13 +159,15 @@ _ANYWHERE_MPS = 44.0
 def onto_the_road(draft: Draft, side: DrivingSide) -> None:
     """Who comes from the side and turns left in front of somebody fails to give way.
 
-    An unprotected left turn is one across oncoming traffic.
+    An unprotected left turn is one across oncoming traffic; off the same road it is a sudden one.
     """
     for danger in draft.dangers:
         across = danger.kind is HazardKind.UNPROTECTED_LEFT_TURN and side is DrivingSide.RIGHT
-        aside = all(e.approaches and e.approaches <= _FROM_THE_SIDE for e in danger.by)
-        if across and danger.by and aside:
+        whence = [e.approaches for e in danger.by] if across else []
+        if whence and all(told and told <= _FROM_THE_SIDE for told in whence):
             danger.kind = HazardKind.FAILURE_TO_YIELD
+        elif whence and all(told == {Approach.AHEAD} for told in whence):
+            danger.kind = HazardKind.SUDDEN_TURN
 
 
 def too_fast(draft: Draft, limit_mps: float | None) -> None:

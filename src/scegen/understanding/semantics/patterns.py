@@ -46,7 +46,7 @@ def _opaque(n: NounPhrase | Event, _: Context) -> bool:
 
 def _stopped(n: Mention, context: Context) -> bool:
     stopping = context.draft.causing(HazardKind.STOPPING)
-    return bool(n.entities) and all(e.parked or e in stopping for e in n.entities)
+    return bool(n.entities) and all(e.parked or e.stands or e in stopping for e in n.entities)
 
 
 def _other_half(n: Place, _: Context) -> bool:
