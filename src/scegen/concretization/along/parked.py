@@ -52,7 +52,7 @@ def park(story: Story) -> None:
         walk = walks[0] if walks and (hides or not hiding) else None
         before = opened.get(left) if not hides else None
         before = before or (walk.id if walk is not None else "")
-        lane = runner.lane if name in story.runners else 0
+        lane = 0 if name in story.parked else runner.lane
         rows.setdefault((lane, left and bool(before), before), []).append(runner)
     for (_, _, name), row in rows.items():
         _in_a_row(story, row, name)
