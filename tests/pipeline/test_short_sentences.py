@@ -20,6 +20,10 @@ COMES = ("A car cuts in 20 m in front of the ego", "A van cuts in with a time ga
          "A car cuts in at a TTC of 3 s", "The car 8 m ahead brakes hard")  # fmt: skip
 ENDS = ("and the ego, at 60 km/h, hits it", "and the ego, at 60 km/h, nearly hits it",
         "and the ego, at 60 km/h, avoids a collision")  # fmt: skip
+GOES_ACROSS = ("A pedestrian", "A cyclist", "A deer")
+ACROSS = ("crosses behind the ego", "waits until the ego has passed and then crosses",
+          "crosses from the right, stops on the centre line for 2 s and goes on",
+          "crosses from the left and stands in the ego's lane for 3 s")  # fmt: skip
 SENTENCES = (
     "The ego turns left at a crossroads with a stop sign.",
     "A car runs a red light.",
@@ -46,6 +50,13 @@ SENTENCES = (
     "Behind a bus the ego stands at a red light. At green the bus sets off and stops again at "
     "once, and the ego hits it.",
     "The car 3 m ahead sets off when the light turns green, and the ego stays where it is.",
+    "A pedestrian steps out in front of a car stopped in the oncoming lane.",
+    "A truck on the left lane hides a pedestrian who crosses from the left.",
+    "A van swerves into the ego's lane.",
+    "A pedestrian crosses from the right; the ego brakes when the pedestrian is 20 m away.",
+    "A dog runs onto the road and a child runs after it.",
+    "The ego turns right while a pedestrian walks over the crosswalk of the road it turns into.",
+    "A cyclist rides ahead of the ego at 15 km/h; the ego, at 50 km/h, hits it at 50 % overlap.",
 )
 
 
@@ -60,6 +71,11 @@ def made(text):
 
 @pytest.mark.parametrize("text", [f"{who} {does}." for who in WHO for does in DOES])
 def test_where_somebody_is_and_what_it_does_hold_together(text):
+    assert not made(text).missed
+
+
+@pytest.mark.parametrize("text", [f"{who} {does}." for who in GOES_ACROSS for does in ACROSS])
+def test_who_goes_across_and_when_hold_together(text):
     assert not made(text).missed
 
 
