@@ -100,6 +100,9 @@ def _judge(told: Told, name: str, reference: str, words: frozenset[Approach], vi
         choices = [_beside(place.y * _SIDES[word]) for word in sides] or [_beside(np.abs(place.y))]
         if along is not None:
             choices = [np.minimum(c, _ahead_m(along, place, frame)) for c in choices]
+        elif _stand(told, name, reference):
+            level_m = np.minimum(frame.half_length - place.rear, place.front + frame.half_length)
+            choices = [np.minimum(c, level_m) for c in choices]
     else:
         walks = told.functional.participant(name).kind in ON_FOOT
         lane = _in_lane_m(told, name, reference, frame.half_width + box.half_width)
@@ -120,6 +123,12 @@ def _judge(told: Told, name: str, reference: str, words: frozenset[Approach], vi
                 choices.append(_comes(told, view, name, reference, word, turned, moves, place.y))
     measured = turned if words <= _COURSES else place.x
     return Judged(np.max(choices, axis=0), measured, np.zeros(view.count))
+
+
+def _stand(told: Told, *names: str) -> bool:
+    """Whether all of those stand in their lanes all the time: beside one another, or not at all."""
+    drives = map(told.drive, names)
+    return all(drive is not None and drive.maneuver is Maneuver.STAY for drive in drives)
 
 
 def _ahead_m(word: Approach, place: Seen, frame: Boxes) -> Floats:

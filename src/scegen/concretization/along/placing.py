@@ -186,8 +186,8 @@ def _reference(story: Story, name: str, order: dict[str, int]) -> str:
     """To whom a place is told: who it is beside, the next in its line, else the ego."""
     known = [n for n, r in story.runners.items() if r.at_m is not None]
     for other in known:
-        beside = Approach.ADJACENT in words_between(story.functional, name, other)
-        if beside and other != story.ego.id:
+        both = (words_between(story.functional, *pair) for pair in ((name, other), (other, name)))
+        if other != story.ego.id and any(Approach.ADJACENT in words for words in both):
             return other
     names = list(story.runners)
     thing = story.things.get(name)
