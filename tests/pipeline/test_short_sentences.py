@@ -45,6 +45,8 @@ SENTENCES = (
     "The ego changes to the left lane in front of a car that drives at 80 km/h 20 m behind it.",
     "At a T-junction the truck ahead, at 55 km/h, brakes hard.",
     "Head-on: ego 50 km/h, car 50 km/h, 50 % overlap.",
+    "A car does 80 in a 50 and hits the ego at a crossroads.",
+    "Two cars stand side by side, one in each lane, 80 m ahead of the ego, which brakes to a stop.",
     "The ego turns left at a junction. A car from the left drifts into its lane and hits it.",
     "The ego and a truck ahead wait at a red light. At green the truck sets off, the ego follows.",
     "Behind a bus the ego stands at a red light. At green the bus sets off and stops again at "

@@ -26,6 +26,7 @@ class AmountFrame:
     verb: frozenset[str] = frozenset()
     unless: tuple[str, ...] = ()
     most: float | None = None
+    ends: bool = False
     instead: str | None = None
     cues: tuple[frozenset[str], ...] = ()
     """With which words its phrases begin: of each set, one stands around the number."""

@@ -36,7 +36,7 @@ class Window:
 
     def fits(self, frame: AmountFrame, verbs: frozenset[str]) -> bool:
         """Whether all that a frame asks for is there; ``verbs``: what happens there."""
-        if frame.verb and not verbs & frame.verb:
+        if (frame.verb and not verbs & frame.verb) or (frame.ends and self.after.strip()):
             return False
         around = self.before, self.after
         if frame.near and not any(f" {p} " in words for p in frame.near for words in around):

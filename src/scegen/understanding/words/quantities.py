@@ -225,7 +225,9 @@ def _build(tokens: list[Token], i: int, j: int, values: list[float], dimension: 
     value, note = parts[0] if len(parts) == 1 else Interval(low=low, high=high), None
     before, last = low_at(tokens, i - 2), low_at(tokens, i - 1)
     than = last == "than"
-    denied = any(low_at(tokens, i - k) in {"no", "not", "n't"} for k in (3, 4))  # "no less than 1 m"
+    denied = any(
+        low_at(tokens, i - k) in {"no", "not", "n't"} for k in (3, 4)
+    )  # "no less than 1 m"
     least = last == "least" or (than and denied and before in _FEWER)
     if len(values) > 1:
         pass
