@@ -13,7 +13,7 @@ from scegen.claims.sideways import sideways_begin
 from scegen.claims.told import Told
 from scegen.claims.view import View, kept
 from scegen.motion.batch.arrays import SPEED, Bools, Ints
-from scegen.scenario.acts import GAINING, LEAVING, SLOWING, Act, ActKind
+from scegen.scenario.acts import ENTERING, GAINING, LEAVING, SLOWING, Act, ActKind
 from scegen.scenario.concrete import door_of
 from scegen.scenario.logical import Drive
 
@@ -42,6 +42,15 @@ def sets_off(view: View, name: str, number: int = 0) -> Ints:
     stands = view.speed_mps(name) <= STANDS_MPS
     leaves = stands & ~np.append(stands[:, 1:], np.ones((view.count, 1), dtype=np.bool_), axis=1)
     return first(leaves & (np.cumsum(leaves, axis=1) > number))
+
+
+def along_whose(ego: str, one: str, other: str, act: Act | None) -> tuple[str, str]:
+    """Along whose heading a length between two lies as something is done, and who is there.
+
+    The ego's, if it is one of them; not of an ego that comes in from another road by that.
+    """
+    comes = act is not None and act.kind in ENTERING and act.participant == ego
+    return (one, other) if (one == ego) != comes else (other, one)
 
 
 def turned(box: Boxes) -> Bools:

@@ -20,6 +20,7 @@ from scegen.concretization.setup import Setup, require_room
 from scegen.concretization.walkers import leaves_s
 from scegen.motion.trigger_steps import STEP_S
 from scegen.scenario.acts import (
+    ENTERING,
     GAINING,
     SLOWING,
     Act,
@@ -139,10 +140,11 @@ def lead_in_missing_s(scene: Setup) -> float:
 
     Who goes across stands for a moment before.
     """
+    marked = {mark.act for draft in scene.drives.values() for mark in draft.steps}
     begins = [
         during_s(scene, act)[0]
-        for draft in scene.drives.values()
-        for act in (scene.act(mark.act) for mark in draft.steps if mark.act is not None)
+        for act in scene.acts
+        if act.id in marked or (act.kind in ENTERING and act.participant in scene.drives)
         if not isinstance(act.when, AfterStart)
     ]
     timed = {act.participant for act in scene.acts if isinstance(act.when, AfterStart)}

@@ -97,7 +97,7 @@ def _missed(scene: Setup) -> Iterator[float]:
             at = None if spacing.at == START else scene.act(spacing.at)
             if at is None or at.participant in known:
                 time_s = 0.0 if at is None else during_s(scene, at)[spacing.since == "end"]
-                yield _PER_M * too_long_m(scene, spacing, time_s)
+                yield _PER_M * too_long_m(scene, spacing, time_s, at)
     for act in scene.acts:
         if act.when is not None and act.participant in known:
             yield from _mistimed(scene, act, known)
@@ -107,7 +107,7 @@ def _mistimed(scene: Setup, act: Act, known: set[str]) -> Iterator[float]:
     when, own_s = act.when, during_s(scene, act)[0]
     if isinstance(when, WhenMeasure) and when.measure in LENGTHWISE:
         if known >= {when.participant, when.reference}:
-            yield _PER_M * too_long_m(scene, when, own_s)
+            yield _PER_M * too_long_m(scene, when, own_s, act)
     elif isinstance(when, AfterStart):
         yield own_s - when.delay_s.middle
     elif isinstance(when, AfterDistance | BeforeJunction):

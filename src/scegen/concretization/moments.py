@@ -5,7 +5,7 @@ from functools import partial
 import numpy as np
 
 from scegen.claims.boxes import Boxes
-from scegen.claims.moments import turned
+from scegen.claims.moments import along_whose, turned
 from scegen.concretization.amounts import OUT_AND_BACK
 from scegen.concretization.boxes import box_on, missing_m
 from scegen.concretization.drafts import DriveDraft
@@ -95,11 +95,9 @@ def track(scene: Setup, name: str, times_s: Array) -> tuple[Boxes, Array]:
     return box_on(*there[name], still), still
 
 
-def too_long_m(scene: Setup, said: Spacing | WhenMeasure, time_s: float) -> float:
-    """How much longer the free length between two is than is said (m)."""
-    own, other = said.participant, said.reference
-    if own != scene.functional.ego.id:
-        own, other = other, own
+def too_long_m(scene: Setup, said: Spacing | WhenMeasure, time_s: float, act: Act | None) -> float:
+    """How much longer the free length between two is than is said (m), as an act begins or ends."""
+    own, other = along_whose(scene.functional.ego.id, said.participant, said.reference, act)
     at = np.array([time_s])
     tracks = track(scene, own, at), track(scene, other, at)
     return float(missing_m(said.measure, said.value.middle, *tracks)[0])

@@ -90,6 +90,8 @@ class ActKind(Word):
     )
 
 
+ENTERING = frozenset({ActKind.TURN, ActKind.ENTER})
+"""How one comes to drive where another road's traffic does."""
 LETS_BY = frozenset({ActKind.GIVE_WAY, ActKind.WAIT})
 """What one does for another that goes first, where one is named."""
 LASTING = frozenset(ActKind) - {

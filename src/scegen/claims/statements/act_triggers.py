@@ -96,7 +96,8 @@ def _at_measure(when: WhenMeasure, told: Told, act: Act, view: View) -> Judged:
     who, reference = when.participant, when.reference
     ahead = is_said_ahead(told.functional, told.hazards, who, reference, act.id)
     values = [
-        measure_at(view, when.measure, who, reference, step + n, ahead=ahead) for n in (-1, 0, 1)
+        measure_at(view, when.measure, who, reference, step + n, ahead=ahead, act=act)
+        for n in (-1, 0, 1)
     ]
     low, high = np.min(values, axis=0), np.max(values, axis=0)
     tolerance = tolerances.OF_MEASURE[when.measure].tolerance

@@ -20,13 +20,13 @@ from scegen.claims.boxes import (
     seen,
 )
 from scegen.claims.claim import Claim, ClaimKind, Judged, as_wanted, within
-from scegen.claims.moments import act_begins, comes_to_rest
+from scegen.claims.moments import act_begins, along_whose, comes_to_rest
 from scegen.claims.series import at, first
 from scegen.claims.statements.act_ends import act_ends
 from scegen.claims.told import Told, amount, plain
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Floats, Ints
-from scegen.scenario.acts import SLOWING
+from scegen.scenario.acts import SLOWING, Act
 from scegen.scenario.concrete import door_of
 from scegen.scenario.in_line import is_said_ahead
 from scegen.scenario.spacings import CONTACT, LENGTHWISE, START, Measure, Spacing
@@ -111,10 +111,10 @@ def judge_spacing(told: Told, spacing: Spacing, view: View, *, ahead: bool | Non
         there = met.happens | (not told.may_touch(reference, who))
         when = np.where(met.happens, met.time_s, nearest)
         return as_wanted(value, spacing.value, tolerance, when, there=there)
-    if spacing.at == START:
+    act = next((act for act in told.functional.acts if act.id == spacing.at), None)
+    if act is None:
         step = np.zeros(view.count, dtype=np.int64)
     else:
-        act = next(act for act in told.functional.acts if act.id == spacing.at)
         step = act_begins(told, act, view)
         if spacing.since == "end" and act.kind not in SLOWING:
             step = act_ends(told, act, view)
@@ -125,14 +125,14 @@ def judge_spacing(told: Told, spacing: Spacing, view: View, *, ahead: bool | Non
     if who == reference:
         value, there = _off_its_lane(told, who, view, step), step < view.steps
         return as_wanted(value, spacing.value, tolerance, view.time_of(step), there=there)
-    value = measure_at(view, spacing.measure, who, reference, step, spacing.side, ahead)
+    value = measure_at(view, spacing.measure, who, reference, step, spacing.side, ahead, act)
     margin = within(value, spacing.value, tolerance)
     if spacing.at != START and spacing.measure is not Measure.LATERAL_GAP_M:
         # Somewhere within the steps between which the act begins, or while it fades out.
         fades = round(_FADES_S / view.dt_s) if spacing.since == "end" else 1
         near = [np.clip(step + k, 0, view.steps - 1) for k in (-1, fades)]
         alike = partial(measure_at, view, spacing.measure, who, reference)
-        around = [value, *(alike(k, spacing.side, ahead) for k in near)]
+        around = [value, *(alike(k, spacing.side, ahead, act) for k in near)]
         low, high = np.min(around, axis=0), np.max(around, axis=0)
         passes = (low <= spacing.value.high) & (high >= spacing.value.low)
         margin = np.where(passes, np.maximum(margin, tolerance), margin)
@@ -154,7 +154,7 @@ def _where_it_stands(told: Told, spacing: Spacing) -> bool:
 
 def measure_at(
     view: View, measure: Measure, who: str, reference: str, step: Ints,
-    side: Side | None = None, ahead: bool | None = None,
+    side: Side | None = None, ahead: bool | None = None, act: Act | None = None,
 ) -> Floats:  # fmt: skip
     """A measure of somebody to a reference at a step of each candidate (c,).
 
@@ -173,8 +173,7 @@ def measure_at(
     doors = [name for name in (door_of(who), door_of(reference)) if name in view.index]
     if doors:
         who, reference, ahead = doors[0], reference if doors[0] == door_of(who) else who, None
-    # Along the ego's heading where it is one of the two: the other may go across.
-    own, other = (who, reference) if who == view.concrete.ego.id else (reference, who)
+    own, other = along_whose(view.concrete.ego.id, who, reference, act)
     frame, box = box_at(view, own, step), box_at(view, other, step)
     clear = free(frame, box)
     gap, along = gap_m(frame, box), same_way(frame, box)

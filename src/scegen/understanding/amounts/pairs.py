@@ -99,6 +99,9 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     between = between or ([] if named or located else _brought_in(figure))
     if between:
         return between[-1][0], between[-1][1]
+    near = [m for m in before if m.j == figure.i - 1 and m.prep and m.prep.cat == "locus"]
+    if near and subject and not located and subject != near[0].entities:
+        return subject[0], near[0].entities[0]  # "the ego behind the van at 0.9 s hits it"
     bracketed = _bracketed(figure)
     if bracketed is not None and subject and bracketed not in subject:
         return subject[0], bracketed

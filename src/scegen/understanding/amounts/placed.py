@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from scegen.scenario.acts import ActKind
+from scegen.scenario.acts import ENTERING, ActKind
 from scegen.scenario.spacings import CONTACT, LENGTHWISE, START, Measure
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.amounts import aside
@@ -84,7 +84,7 @@ def _ends_up(figure: Figure) -> bool:
 def at_rest(figure: Figure) -> bool:
     """``stops 3 m behind the truck``: how far apart they are once it stands."""
     pair, text = pair_of(figure), figure.text
-    stops = [a for a in text.acts(figure.start, figure.i) if a.entity in (pair or ())]
+    stops = [a for a in text.acts(figure.start, figure.i) if a.entity in (pair or ())[:1]]
     stops = [a for a in stops if a.always and a.ends_at_rest]  # "must stop 2 m before": it shall
     if pair is None or not stops:
         return False
@@ -132,7 +132,7 @@ def _between(
         text.found.spacings[:] = [
             s for s in text.found.spacings if s.measure is not measure or s.entity is not entity
         ]  # "with full overlap (100 %)"
-    if not (isinstance(at, Doing) and at.kind in _ENTERING):
+    if not (isinstance(at, Doing) and at.kind in ENTERING):
         tell_order(figure, measure, one, other)
     return Apart(measure, entity, reference, amount, at, side, since(text, at, one, other))
 
@@ -154,8 +154,7 @@ def to_a_thing(figure: Figure) -> bool:
 
 
 _ANSWERING = frozenset({ActKind.BRAKE, ActKind.STOP, ActKind.CHANGE_LANE})
-_ENTERING = frozenset({ActKind.TURN, ActKind.ENTER})
-_INTO = _ENTERING | {ActKind.CHANGE_LANE, ActKind.OVERTAKE, ActKind.SWERVE, ActKind.CROSS,
+_INTO = ENTERING | {ActKind.CHANGE_LANE, ActKind.OVERTAKE, ActKind.SWERVE, ActKind.CROSS,
                      ActKind.OPEN_DOOR}  # fmt: skip
 _BEGINNING = frozenset({"try", "light", "inert"})
 """``starts to brake``: what is begun is told after it."""

@@ -57,7 +57,7 @@ def delayed(figure: Figure) -> bool:
     if doing is None or doing.when is not None:
         return False
     base, at = _base(figure, doing)
-    if base is None and since == "after" and figure.text.within(figure.j, figure.end):
+    if base is None and since == "after":
         return False  # "2 s after the car has passed the sign": since something that is no act
     doing.when = figure.trigger("after" if base else "start", act=base, since=at)
     return True
@@ -117,6 +117,7 @@ def earlier(figure: Figure) -> bool:
     if second is None:
         named = [m for m in text.mentions if figure.j <= m.i < figure.end and m.entities]
         who = [m.entities[0] for m in named if m.entities[0] is not first.entity]
+        who = [e for e in who if "circulates" not in e.told]  # it is in the ring already
         if not who or first.kind is not ActKind.ENTER:
             return False
         second = text.same(first, who[0], figure.j, first.basis)
@@ -157,7 +158,9 @@ def _of_the_other(figure: Figure, doing: Doing) -> Doing | None:
     if named is None or named.entities[0] is doing.entity:
         return None
     here = text.within(named.j, figure.end)  # not "1 s after a van that comes from the left"
-    if any(c.event.finite and not c.event.embedded and c.actors == named.entities for c in here):
+    helped = any(c.cat == "aux" and named.j <= c.i < figure.end for c in text.chunks)
+    told = (c for c in here if c.event.finite and not c.event.embedded)
+    if helped or any(c.actors == named.entities for c in told):
         return None
     other = named.entities[0]
     kind = ActKind.ENTER if doing.kind is ActKind.TURN else doing.kind  # whichever way it goes

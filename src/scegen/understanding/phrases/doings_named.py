@@ -245,8 +245,8 @@ def _told_next(
     turned = any(e.i > doing.i and (e.name == "turn" or WAYS & {m.value for m in e.dirs})
                  for e in events)  # fmt: skip
     across = any(getattr(p.target, "kind", "") == "path" for p in doing.pps)
-    titled = value_at(chunks, len(title)) in {":", "."}
-    alone = not any(isinstance(c, Mention) for c in title)
+    titled = value_at(chunks, len(title)) in {":", ".", ";"}
+    alone = all(m.stands_after("with") for m in title if isinstance(m, Mention))
     return [who] if titled and alone and not (turned or across) else []
 
 
