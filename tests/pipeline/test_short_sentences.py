@@ -59,6 +59,22 @@ SENTENCES = (
     "A dog runs onto the road and a child runs after it.",
     "The ego turns right while a pedestrian walks over the crosswalk of the road it turns into.",
     "A cyclist rides ahead of the ego at 15 km/h; the ego, at 50 km/h, hits it at 50 % overlap.",
+    "A van pulls out from the minor road of a T-junction in front of the ego. "
+    "The time gap is 1.5 s.",
+    "A van pulls out of a side road in front of the ego with a TTC of 2 s.",
+    "The ego pulls out of a side road 25 m in front of a truck doing 50 km/h.",
+    "At a T-junction without signs, a car from the right does not yield to the ego. TTC is 2 s.",
+    "A truck pulls out of a driveway behind the ego, which drives 50 km/h.",
+    "The ego enters the roundabout 1 s after a bicycle coming from the left and nearly hits it.",
+    "The ego follows a car into the roundabout at a gap of 8 m, and the car lets a bus pass.",
+    "A bus ahead of the ego in the roundabout brakes hard and the ego rear-ends it.",
+    "The car ahead slows down to turn right into a driveway; the ego, at 45 mph and 1.2 s behind, "
+    "nearly hits it.",
+)
+WALKERS = (
+    "The car ahead brakes for a pedestrian.",
+    "A car ahead brakes for a pedestrian in a roundabout.",
+    "The light turns green, the car ahead sets off and then brakes again for a pedestrian.",
 )
 
 
@@ -86,6 +102,15 @@ def test_how_far_it_is_and_how_it_ends_hold_together(text):
     proof = made(text)
     assert not proof.missed
     assert proof.in_band
+
+
+@pytest.mark.parametrize("text", WALKERS)
+def test_whom_somebody_brakes_for_crosses_before_that_one(text):
+    proof = made(text)
+    assert not proof.missed
+    assert proof.in_band
+    ways = {claim.statement for claim in proof.claims}
+    assert "crossing pedestrian by pedestrian_1 to car_1 happens" in ways
 
 
 @pytest.mark.parametrize("text", SENTENCES)

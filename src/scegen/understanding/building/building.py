@@ -244,7 +244,8 @@ class Builder:
         on_foot = danger.kind in {HazardKind.CROSSING_PEDESTRIAN, HazardKind.CROSSING_ANIMAL}
         # who stands or is overtaken hides those who come out in front: they meet somebody else
         passed = self.draft.suffering(HazardKind.OVERTAKING) if on_foot else []
-        to = [e for e in danger.to if not (e in danger.by or e in passed or (on_foot and e.still))]
+        unmet = (*danger.by, *passed, *(e for e in danger.to if on_foot and (e.parked or e.stays)))
+        to = [e for e in danger.to if e not in unmet]
         self.proofs.add(f"hazards.{danger.kind.value}", danger.basis)
         return Hazard(
             kind=danger.kind,
