@@ -41,8 +41,6 @@ STANDS_FIRST_S = 0.5
 _BEFORE_LINE_M, _QUEUE_BEFORE_LINE_M, _BEFORE_WALKER_M = 1.0, 2.0, 0.75
 _QUEUE_GAP_M, _STANDS_MPS2 = 2.0, 5.0
 _AFTER_WALKER_S = 0.5
-_AGAIN_M = 4.0
-"""So far beyond the line is who went at green as it brakes again."""
 _INTO_M, _ROLLS_M = 0.5, 0.4
 _TURNS_AT = 0.6
 _SETS_OFF_M = 8.0
@@ -272,8 +270,6 @@ def _place(scene: Setup, draft: DriveDraft) -> None:
         place = draft.waits_s_m + _SETS_OFF_M
     elif lets_by is not None:
         place = lets_by[0] - _way_m(draft.speed_mps, [first])
-    elif is_open(scene, first) and draft.waits is not None:  # "sets off at green, brakes again"
-        place = draft.stop_line_s_m + _AGAIN_M
     elif is_open(scene, first):
         kind = first.hazard or HazardKind.HARD_BRAKING
         act = scene.act(first.act or "")

@@ -234,24 +234,13 @@ def _swerve(
             )
     out = Move(begins_s, lasts, *there, act.id, hazard)
     if act.kind is not ActKind.SWERVE:
-        return [_in_lane(story, out)]
+        return [out]
     return [out, Move(out.ends_s + stays_s, lasts, lane, back, act.id, hazard)]
 
 
 def _is_lane(story: Story, lane: int, side: Side) -> bool:
     """Whether there is a lane on that side to go into, be it that of the oncoming."""
     return story.innermost <= max(0, lane + outward(story.functional, side)) <= story.lane_count
-
-
-def _in_lane(story: Story, move: Move) -> Move:
-    """The same place across the road, told from the lane that it lies in."""
-    right = -round(move.offset_m / story.ego.lane_width_m)
-    step = right * outward(story.functional, Side.RIGHT)
-    lane = move.lane + step
-    if not step or not 0 <= lane <= story.lane_count:
-        return move
-    offset = move.offset_m + right * story.ego.lane_width_m
-    return Move(move.begins_s, move.lasts_s, lane, offset, move.act, move.hazard)
 
 
 def _lane_after(story: Story, act: Act, runner: Runner, now: int) -> int:
