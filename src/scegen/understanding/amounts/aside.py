@@ -12,7 +12,7 @@ from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Place, Prep
 from scegen.understanding.draft import Placement
 from scegen.understanding.entity import Basis, Entity
-from scegen.understanding.happenings import Amount, Apart, Doing
+from scegen.understanding.happenings import STILL, Amount, Apart, Doing
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.patterns import noun, people
@@ -46,11 +46,9 @@ def on_the_line(text: Telling) -> None:
         lines = [p for p in clause.places() if p.kind == "centerline" and p.prep]
         own = text.acts(clause.event.i, clause.event.j, RESTING) if lines else []
         for doing in [a for a in own if Maneuver.CROSS in a.entity.maneuvers]:
-            middle = Amount(Interval(low=0.0, high=0.0), Basis(lines[0].i, lines[0].j))
-            two = doing.entity, doing.entity
-            text.found.spacings.append(
-                Apart(Measure.LATERAL_OFFSET_M, *two, middle, doing, since="end")
-            )
+            middle = Amount(STILL, Basis(lines[0].i, lines[0].j))
+            who, measure = doing.entity, Measure.LATERAL_OFFSET_M
+            text.found.spacings.append(Apart(measure, who, who, middle, doing, since="end"))
 
 
 def _within(place: Place, text: Telling) -> bool:

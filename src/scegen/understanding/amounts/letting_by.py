@@ -91,10 +91,8 @@ def go_on(text: Telling) -> None:
         elif stop.into is not None or any(a.kind is ActKind.TURN for a in later):
             stop.kind = ActKind.WAIT
     for rest in [a for a in kept if a.kind is ActKind.WAIT]:  # who has paused crosses on
-        kept[:] = [
-            a for a in kept
-            if a.entity is not rest.entity or a.kind is not ActKind.CROSS or a.i < rest.i
-        ]  # fmt: skip
+        own = [a for a in kept if a.entity is rest.entity and a.i > rest.i]
+        kept[:] = [a for a in kept if a not in own or a.kind is not ActKind.CROSS]
     for act in kept:
         before = act.when.act if act.when is not None else None
         if before is not None and (before not in kept or before.kind is ActKind.GIVE_WAY):

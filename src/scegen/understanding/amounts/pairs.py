@@ -202,9 +202,7 @@ def tell_order(figure: Figure, measure: Measure, one: Entity, other: Entity) -> 
     sideways = {Maneuver.CROSS, *comes} & (one.maneuvers | other.maneuvers)
     draft, basis = figure.text.draft, figure.amount.basis
     if said is not None and vehicles and not sideways and not figure.text.stand(one, other):
-        its = other.ego and draft.only(
-            other, said
-        )  # "into the lane of the ego, which is 15 m behind"
+        its = other.ego and draft.only(other, said)  # "the lane of the ego, which is 15 m behind"
         draft.place(*((other, one) if its else (one, other)), {said}, basis)
     two = [e for e in (one, other) if not e.ego]
     if measure not in LENGTHWISE or len(two) != 1 or not two[0].is_vehicle:
