@@ -240,6 +240,9 @@ def impact(figure: Figure) -> bool:
     if ending is None:
         ending = Ending(OutcomeKind.COLLISION, basis, around_it(figure.i, text.ego, text))
         text.found.ending = ending
+    if figure.role == "overlap" and ending.half is not None:  # "by the left 25 % of its front"
+        ending.share = value.high
+        return True
     left = text.find("left_edge", figure.j, figure.end)
     edge = left or text.find("right_edge", figure.j, figure.end)
     mirrored = edge is not None and left is None

@@ -197,6 +197,8 @@ def _of_who_acts(prep: Prep, whom: Mention, state: State) -> bool:
     its = prep.who is not None and prep.who.pronoun is not None
     if prep.word.cat != "locus" or not (its or prep.target is None):
         return False
+    if its and whom.stands_after("of"):
+        return True
     followed = verb is not None and (verb.object is whom or whom.pronoun == "both")
     return followed and verb is not None and verb.name == "follow" and prep.value == "behind"
 

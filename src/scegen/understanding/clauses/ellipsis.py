@@ -247,6 +247,8 @@ def named_again(events: list[Event]) -> None:
             told = [e for e in events if e.i < event.i and e.finite and kind in _done(e)]
             if told and kind and (known or not event.mods):  # "… the gap at braking: 15 m"
                 event.subject = list(told[-1].subject)
+            elif known and others:
+                event.subject = []
 
 
 def _done(event: Event) -> Iterator[ActKind | None]:

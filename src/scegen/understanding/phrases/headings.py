@@ -61,6 +61,8 @@ def announce(chunks: list[Chunk]) -> list[Chunk]:
 def _says_where(begin: int, k: int, chunks: list[Chunk]) -> set[int]:
     """``Oncoming: a lorry and a van``, ``From the left: a van``: the chunks to leave out."""
     title = chunks[begin:k]
+    if len(title) == _TWO and title[0].cat == "prep" and isinstance(title[1], Place):
+        return {k}  # "from the left a van …"
     if not title or any(c.cat not in {"dir", "locus"} for c in title):
         return set()
     where = [replace(c, cat="dir") for c in title if isinstance(c, Term)]

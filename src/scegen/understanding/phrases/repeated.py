@@ -257,6 +257,8 @@ def _lane(
         side = aside if isinstance(aside, Place) and aside.kind in {"side", "middle"} else chunk
         middle = isinstance(side, Place) and side.kind == "middle"  # "of three, in the middle one"
         meant = (whole or named) is not None and (middle or _sided(side))
+        if used and chunk.has("dir", "opposite"):
+            return _as_lane(chunk, chunk)  # "leaves its lane and uses the oncoming one"
         alone = middle or side.head in (None, chunk.head)
         return _as_lane(side if side is before else chunk, chunk) if meant and alone else None
     if chunk.pronoun == "it" and named is not None and (used or over or word == "in"):

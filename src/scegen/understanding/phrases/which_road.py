@@ -236,7 +236,11 @@ def name_turned_into(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
             before = chunk_at(chunks, k - 1)
             verb = next((c for c in reversed(chunks[begin:k]) if isinstance(c, Event)), None)
             onto = isinstance(before, Term) and low_at(tokens, before.i) in {"into", "onto"}
-            if (onto and turns(verb)) or _pointed_at(chunk, chunks[:k], tokens):
+            done = chunk_at(chunks, k + 1 + (cat_at(chunks, k + 1) == "aux"))
+            entered = isinstance(done, Event) and (done.name, done.form) == ("enter", "ed")
+            if entered:  # "the road being entered"
+                del chunks[k + 1 : chunks.index(done) + 1]
+            if entered or (onto and turns(verb)) or _pointed_at(chunk, chunks[:k], tokens):
                 whole = chunk_at(chunks, k - 2) if before.value == "of" else None
                 for place in (chunk, whole):  # "the zebra crossing of the destination road"
                     if isinstance(place, Place):

@@ -85,7 +85,10 @@ def _single(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Ent
         not_so = word_list("women" if word in {"he", "him"} else "men")
         named = ((e, roster.tokens[e.basis.i or 0 : e.basis.j or 0]) for e in roster.entities)
         exclude = [*exclude, *(e for e, own in named if any(t.base in not_so for t in own))]
-    drives = "drives" in mention.marks
+    afoot = [e for e in recent if not e.is_vehicle and e not in exclude]
+    drives, walks = "drives" in mention.marks, "walks" in mention.marks
+    if word == "it" and walks and not drives and afoot:
+        return afoot[-1:]  # "two cars hide a child; it walks out"
     if word == "it":
         recent = [e for e in recent if e.is_vehicle] or recent
     others = [e for e in recent if "speaks" not in e.named_by]

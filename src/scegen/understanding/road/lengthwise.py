@@ -129,10 +129,14 @@ def _with_radius_alone(terms: list[Term], tokens: list[Token]) -> list[Term]:
     m = next((m for m in range(len(terms)) if _is_radius(terms, m, tokens)), None)
     if m is None or any(term.data.get("kind") == JunctionKind.ROUNDABOUT for term in terms):
         return terms
-    bends = (t for t in terms if t.cat == "place" and t.value == "bend")
-    if any(bend.data.get("radius_m") for bend in bends):
+    bends = [k for k, t in enumerate(terms) if t.cat == "place" and t.value == "bend"]
+    if any(terms[k].data.get("radius_m") for k in bends):
         return terms
-    data = {"side": None, "radius_m": value_of(terms, m).middle}
+    radius = value_of(terms, m).middle
+    if bends:
+        whole = terms[bends[0]]
+        terms[bends[0]] = replace(whole, data={**whole.data, "radius_m": radius})
+    data = {"side": None, "radius_m": radius}
     terms[m] = Term("place", "bend", terms[m].i, terms[m].j, data=data)
     return terms
 

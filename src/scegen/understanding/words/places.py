@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from scegen.scenario.vocabulary import DrivingSide
-from scegen.understanding.words.numbers import number_at
+from scegen.understanding.words.numbers import POSITIONS, number_at
 from scegen.understanding.words.terms import Term, cat_at, term_at
 from scegen.understanding.words.tokens import Token
 
@@ -98,4 +98,10 @@ def _places(terms: list[Term], k: int, tokens: list[Token]) -> int:
     if number is not None:  # "the car two ahead of the ego", "a truck two cars ahead of us"
         told = cat_at(terms, k - 2) == "actor" and number.value <= _MOST
         return int(number.value) if told else 1
-    return 1
+    label = term_at(terms, k - 2)
+    ranked = label.cat == "label" and before.cat == "actor"
+    if not ranked or k < _RANKED or terms[k].value != "ahead":
+        return 1
+    several = (t for t in terms[: k - 3] if t.cat in {"num", "quant"} or t.value in POSITIONS)
+    counted = terms[k - 3].value == "def" and not any(several)  # of nobody told of before
+    return POSITIONS.get(label.value, 0) + 1 if counted else 1
