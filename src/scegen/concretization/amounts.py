@@ -133,10 +133,10 @@ def change_of_speed(
 
 
 def _goes_on(tale: Tale, act: Act) -> bool:
-    """``brakes and then changes lanes``: it does not stop."""
+    """``brakes and then changes lanes``, ``and then brakes harder``: it does not stop."""
     later = tale.acts[tale.acts.index(act) + 1 :] if act in tale.acts else ()
     own = [each.kind for each in later if each.participant == act.participant]
-    return bool(own) and own[0] in LEAVING | GAINING - {ActKind.SET_OFF}
+    return bool(own) and own[0] in LEAVING | SLOWING | GAINING - {ActKind.SET_OFF}
 
 
 def _target_mps(

@@ -19,6 +19,7 @@ from scegen.claims.told import KPH, Told
 from scegen.claims.view import View
 from scegen.scenario.acts import LEAVING, Act, ActKind, AfterAct
 from scegen.scenario.verbs import does
+from scegen.scenario.vocabulary import Side
 
 _BESIDE_M = 0.5
 
@@ -84,9 +85,17 @@ def _to_a_side(told: Told, act: Act) -> Iterator[Claim]:
         far = LANE_M if act.kind is ActKind.CHANGE_LANE else SWERVES_M
         to = f" to the {act.side}" if act.side else ""
         yield claim_of(told, act, "side", f"{name} {does(act.kind)}{to}", "m", _aside, far)
-    elif act.side is not None:
-        passes = f"{name} passes on the {act.side}"
-        yield claim_of(told, act, "side", passes, "m", _passes_there)
+    elif (side := _passing_side(told, act)) is not None:
+        passes = f"{name} passes on the {side}"
+        yield claim_of(told, act, "side", passes, "m", _passes_there, side)
+
+
+def _passing_side(told: Told, act: Act) -> Side | None:
+    """On which side one passes, where that is said or the one passed goes aside, too."""
+    aside = {a.participant for a in told.functional.acts if a.kind in LEAVING}
+    usual = told.functional.junction.kerb.opposite
+    whom = {act.into, *told.functional.overtaken(act.participant)}
+    return act.side or (usual if whom & (aside - {act.participant}) else None)
 
 
 def _aside(told: Told, act: Act, far: float, view: View) -> Judged:
@@ -99,14 +108,14 @@ def _aside(told: Told, act: Act, far: float, view: View) -> Judged:
     return Judged(most - far_m, most, view.time_of(step))
 
 
-def _passes_there(told: Told, act: Act, view: View) -> Judged:
+def _passes_there(told: Told, act: Act, side: Side, view: View) -> Judged:
     """On which side of the one passed it is while they are level, its centre beside theirs."""
     passes = []
     for other in passed(told, act, view):
         own, frame = boxes(view, act.participant), boxes(view, other)
         ahead, left = offset(frame, own)
         level = np.abs(ahead) < frame.half_length + own.half_length
-        beside, step = least(np.where(level, to_side(act.side, left), NEVER))
+        beside, step = least(np.where(level, to_side(side, left), NEVER))
         beside = np.where(level.any(axis=1), beside, -NEVER)
         passes.append(Judged(beside - _BESIDE_M, beside, view.time_of(step)))
     return best_of(view, passes)

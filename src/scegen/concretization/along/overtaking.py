@@ -98,14 +98,14 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     usual = ABRUPT_LANE_CHANGE_S if hurries or act.kind is ActKind.SWERVE else LANE_CHANGE_S
     begins, lasts = _in_time(fast, slow, (out_lane, offset), (begins, usual), fixed=fixed)
     told = story.has_said_speed(fast.id) and not story.acts_of(foremost.id, GAINING)
-    if fast.speed_mps - foremost.speed_mps < (_HARDLY_MPS if told else _FASTER_MPS / 2):
-        top, begins = min(foremost.speed_mps + _FASTER_MPS, fast.body.top_speed_mps), now
-        gains = SpeedChange(top, COMFORTABLE_ACCELERATION_MPS2, now + lasts, act=act.id)
+    least_mps = _HARDLY_MPS if told else _FASTER_MPS / 2
+    if fast.speed_mps - foremost.fastest_mps < least_mps:
+        top = min(foremost.fastest_mps + _FASTER_MPS, fast.body.top_speed_mps)
+        begins = begins if fast.speed_mps - foremost.speed_mps >= least_mps else now
+        gains = SpeedChange(top, COMFORTABLE_ACCELERATION_MPS2, begins + lasts, act=act.id)
         fast.steps.append(gains)
     back = _back(story, act, slow)
-    changing = [each for each in story.acts if each.kind is ActKind.CHANGE_LANE]
-    making_room = {e.participant for e in changing if e.side is None or e.side is not act.side}
-    stays = all(each.lane != fast.lane or each.id in making_room for each in line)
+    stays = all(each.lane != fast.lane or _makes_room(story, act, each) for each in line)
     aside = story.between(fast.id, slow.id, Measure.LATERAL_GAP_M)
     said_m = _said_m(story, back)
     usual_m = _CLEAR_HURRYING_M if hurries else _CLEAR_M
@@ -141,6 +141,12 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     fast.moves = moves
     if back is not None:
         story.begins_s[back.id], story.ends_s[back.id] = clear, clear + lasts
+
+
+def _makes_room(story: Story, act: Act, slow: Runner) -> bool:
+    """Whether one who is passed changes lanes, and not to the side on which it is passed."""
+    side = act.side or story.inwards
+    return any(a.side is not side for a in story.acts_of(slow.id, {ActKind.CHANGE_LANE}))
 
 
 def _said_m(story: Story, back: Act | None) -> float | None:

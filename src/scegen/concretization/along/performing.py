@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from math import copysign
 
 import numpy as np
@@ -9,6 +10,7 @@ import numpy as np
 from scegen.concretization.along.frame import GAINS_MPS2, LOSES_MPS2, ON_RAMP_S, RAMP_MPS
 from scegen.concretization.along.parked import door_before, opening_s
 from scegen.concretization.along.runner import Move, Runner
+from scegen.concretization.along.spacing import JUST_M, first_s, is_level
 from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.amounts import change_of_speed, goes_on_when_free, lasting_s
 from scegen.concretization.boxes import missing_m
@@ -95,6 +97,9 @@ def _moment_s(story: Story, act: Act, *, placed: bool) -> float:
         known = story.ends_s if when.since == "end" else story.begins_s
         if when.act not in known:
             return NEVER_S
+        beside = _passed_then_s(story, act, when)
+        if beside is not None:
+            return beside
         delay = 0.0 if goes_on_when_free(when) else when.later_s.middle
         alone = story.act(when.act).participant == act.participant
         rests = alone and story.runners[act.participant].speed_at_mps(known[when.act]) <= 0.0
@@ -114,6 +119,19 @@ def _moment_s(story: Story, act: Act, *, placed: bool) -> float:
     gives_way = act.kind in LEAVING
     comes = [story.ends_s[a.id] for a in told if gives_way and a.into == act.participant]
     return max([first_s, *(story.begins_s[a.id] for a in told), *comes])
+
+
+def _passed_then_s(story: Story, act: Act, when: AfterAct) -> float | None:
+    """When who goes aside as another passes has it beside itself, or just ahead if both miss."""
+    passing, begins_s = story.act(when.act), story.begins_s.get(when.act)
+    free = when.since == "begin" and when.delay_s is None and act.kind in LEAVING
+    if begins_s is None or passing.kind is not ActKind.OVERTAKE or not free:
+        return None
+    pair = story.runners[passing.participant], story.runners[act.participant]
+    beside_s = first_s(partial(is_level, *pair, 0.0), begins_s)
+    if story.contact_wanted(*(runner.id for runner in pair)):
+        return beside_s
+    return first_s(lambda times_s: ~is_level(*pair, JUST_M, times_s), beside_s)
 
 
 def _when_measured_s(story: Story, when: WhenMeasure) -> float:

@@ -108,6 +108,7 @@ def _closing(functional: FunctionalScenario) -> Iterator[tuple[str, str]]:
     comes into its lane so far ahead.
     """
     slowing: set[str] = set()
+    holds = {s.participant for s in functional.spacings if s.at == START}
     comes_in: set[tuple[str, str]] = set()
     for at, act in ((START, None), *((a.id, a) for a in functional.acts)):
         told: list[Spacing | WhenMeasure] = [s for s in functional.spacings if s.at == at]
@@ -116,7 +117,8 @@ def _closing(functional: FunctionalScenario) -> Iterator[tuple[str, str]]:
             pair = each.participant, each.reference
             ahead = is_said_ahead(functional, functional.hazards, *pair, at)
             back, front = pair[::-1] if ahead else pair
-            if each.measure is Measure.TTC_S and front not in slowing:
+            comes_down = isinstance(each, WhenMeasure) and not holds & {back, front}
+            if front not in slowing and (each.measure is Measure.TTC_S or comes_down):
                 yield back, front
             if act is not None and act.kind is ActKind.CHANGE_LANE:
                 comes_in.add((back, front))

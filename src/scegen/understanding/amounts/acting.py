@@ -228,7 +228,9 @@ def _continued(doing: Doing, found: list[Doing], text: Telling) -> bool:
 
 def _told_again(doing: Doing, found: list[Doing], text: Telling) -> bool:
     """Whether the same is only told another time: no words of order, and no other sentence part."""
-    before = next((d for d in reversed(found) if d.entity is doing.entity), None)
+    known = doing.nominal and text.tokens[doing.i].low == "the"  # "after the lane change"
+    own = [d for d in found if d.entity is doing.entity]
+    before = next((d for d in reversed(own) if d.kind is doing.kind or not known), None)
     titled = [d for d in found if d.nominal and (d.entity, d.kind) == (doing.entity, doing.kind)]
     if titled and titled[0] is not before and " : " in text.low(titled[0].i, doing.i):
         found.remove(titled[0])  # "Brake check: a van cuts in … and brakes": that braking
@@ -253,7 +255,6 @@ def _told_again(doing: Doing, found: list[Doing], text: Telling) -> bool:
     named = before.nominal and before.side in {None, doing.side}
     # "Cut-in followed by braking: the van cuts in …": what the heading names
     heading = named and " : " in text.low(before.i, doing.i)
-    known = doing.nominal and text.tokens[doing.i].low == "the"
     if not (heading or known) and text.find("then", before.basis.j or before.i, doing.i):
         return False
     before.told.append(doing.i)

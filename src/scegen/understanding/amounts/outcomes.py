@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.spacings import CONTACT, Measure
@@ -44,12 +45,25 @@ def read_outcome(text: Telling) -> None:
     ending = text.found.ending
     if ending is not None and ending.kind is not OutcomeKind.AVOIDED:
         text.found.ending = ending = fully_told(ending, endings, text)
+    if ending is not None and len(ending.between) == _PAIR:
+        met = dict.fromkeys(_still_there(e, text) for e in ending.between)
+        ending.between[:] = met if len(met) == _PAIR else [text.ego, *met]
     _from_the_front(ending, text)
     span = text.find("full_overlap", 0, len(text.tokens))
     other = ending.other if ending is not None else text.counterpart(text.ego, [])
     if span is not None and other is not None:  # the share that no number tells
         amount = Amount(Interval(low=_WHOLE, high=_WHOLE), Basis(*span))
         text.found.spacings.append(Apart(Measure.OVERLAP_PERCENT, other, text.ego, amount, CONTACT))
+
+
+def _still_there(entity: Entity, text: Telling) -> Entity:
+    """``cuts out in front of a van; the ego cannot avoid it``: who is met once another has left."""
+    own = (a for a in text.found.acts if a.entity is entity and a.into is None)
+    gone = [a.i for a in own if a.kind is ActKind.CHANGE_LANE]
+    named = [m.i for m in text.mentions if entity in m.entities and m.pronoun is None]
+    ahead = (p for p in text.draft.placements if p.reference is entity)
+    met = [p.entity for p in ahead if p.approaches == {Approach.AHEAD} and not p.entity.ego]
+    return met[0] if met and gone and named[-1:] < gone[-1:] else entity
 
 
 def _from_the_front(ending: Ending | None, text: Telling) -> None:
@@ -77,19 +91,22 @@ def _of_verb(scene: Clause, text: Telling) -> Ending | None:
     start = max(text.bounds(event.i)[0], event.i - _BEFORE)
     nearly = _narrowly(event, start, text)
     lemma = parent.lemma if parent is not None else ""
+    missed = in_vain(event)  # "cannot avoid it"
     vain = parent is not None and (in_vain(parent) or lemma in word_list("coming_about"))
+    vain = vain or missed
     end = max([event.j, *(p.word.j for p in event.pps if clear and p.value == "ahead")])
     part, into = event.object, any(p.value in {"into", "in", "against"} for p in event.pps)
     if into and isinstance(part, Place) and part.has("possessive", "its") and "front" in part.dirs:
         end = max(end, part.j)  # "puts its nose into the van"
     basis = Basis(parent.i if vain and parent is not None else event.i, end)
     held_off = parent is not None and parent.name in {"avoid", "prevent", "fail"} and not vain
+    held_off = (held_off or event.negated) and not missed
     by_so_much = event.lemma == "miss" and event.name == "avoid"  # "misses it by 1 m"
     if nearly is not None or (by_so_much and clear):
         kind = OutcomeKind.NEAR_MISS
         said = nearly or (event.i, event.j)
         basis = Basis(min(said[0], event.i), max(said[1], event.j))
-    elif event.negated or held_off or clear or _before_it(event, text) or _of_nobody(event, text):
+    elif held_off or clear or _before_it(event, text) or _of_nobody(event, text):
         kind = OutcomeKind.AVOIDED
     elif not holds("aimed", scene, text.context) and (
         _open(event, text) or (not vain and _supposed(_of_it(event, start, text)))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.acts import ActKind
 from scegen.scenario.spacings import Measure
-from scegen.scenario.vocabulary import Maneuver
+from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts.figures import Figure, has_a_size
 from scegen.understanding.amounts.items import item_of, kind_of
 from scegen.understanding.amounts.pairs import before_they_meet, tell_order, two_between
@@ -173,8 +173,10 @@ def order(text: Telling) -> None:
         mine = [a for a in sure if a.entity is doing.entity]
         told = before.always or bool(before.amounts) or doing.always
         if phrase is not None and (told or not own):
-            # "brakes before the ego turns": not that it is over by then
-            begun = not own and text.low(*phrase) == " before "
+            # "brakes before the ego turns", "starts to overtake, then": not that it is over by then
+            starts = any(f" {w} " in text.low(before.i - 2, before.i) for w in word_list("begun"))
+            starts = starts or text.low(*phrase) == " before " or endless(before, text)
+            begun = not own and starts
             at_once = _at_once(before, doing, text)
             doing.when = Trigger("after", basis, at_once, before, "begin" if begun else "end")
         elif doing.forced and sure and sure[-1].entity is not doing.entity and not together:
@@ -238,18 +240,23 @@ def _clauses(text: Telling) -> None:
     for chunk in text.subs:
         opening = text.low(chunk.i, chunk.j).strip()
         once = chunk.value == "once" or opening in {"because", "since"}
-        if not once and (opening not in word_list("triggers") or opening == "until"):
-            continue
         start, stop = text.bounds(chunk.i)
+        trigger = once or (opening in word_list("triggers") and opening != "until")
+        if not trigger and (chunk.i > start or opening not in word_list("while_begun")):
+            continue
         if chunk.j >= stop or quantity_at(text.tokens, chunk.j) is not None:
             continue  # "after 2 s"
         end = _end(chunk, start, stop, text)
         inside = [a for a in text.found.acts if any(chunk.j <= i < end for i in a.places)]
         outside = [(i, a) for i, a in told_in(text, start, stop) if a not in inside]
         main = _set_off(chunk, start, end, outside, text)
-        if not inside or main is None or main.when is not None:
+        if main is None or main.when is not None:
             continue
-        if opening == "when" and not main.always and chunk.i > start:
+        if not inside:
+            main.when = _level(chunk, end, main, text)
+            continue
+        meanwhile = opening == "when" and chunk.i > start
+        if not main.always and (meanwhile or not trigger):
             continue  # "passes a bus when a child runs out": what goes on meanwhile
         first = inside[0]
         over = any(c.event.perfect for c in text.within(chunk.j, end))
@@ -261,6 +268,25 @@ def _clauses(text: Telling) -> None:
         soon = text.find("at_once", max(chunk.i - 1, start), chunk.j)  # "right after"
         at_once = Amount(STILL, Basis(*soon)) if soon else None
         main.when = Trigger("after", basis, at_once, first, since)
+
+
+def _level(chunk: Term, end: int, main: Doing, text: Telling) -> Trigger | None:
+    """``as soon as the ego is alongside``: when nothing is left between them along the road."""
+    told = [(s.event.i, s.event.pps) for s in text.scenes] + [(m.i, m.pps) for m in text.mentions]
+    beside = (p for i, pps in told if chunk.j <= i < end for p in pps if p.word.cat == "locus")
+    there = next((p for p in beside if p.word.value == Approach.ADJACENT), None)
+    who = text.spoken_of(chunk.j, end)
+    lanes = {c.j for c in text.chunks if isinstance(c, Place)}  # "in the lane next to it"
+    if there is None or not who or isinstance(there.target, Place) or there.word.i in lanes:
+        return None
+    one, near = who[0], [main.entity, *text.spoken_of(0, chunk.i)]
+    whom = there.target.entities if isinstance(there.target, Mention) else []
+    named = [e for e in (*whom, *near) if e is not one]
+    other = named[0] if named else text.counterpart(one, near)
+    basis = Basis(chunk.i, there.word.j)
+    found = Trigger("measure", basis, Amount(STILL, basis), measure=Measure.GAP_M, entity=one)
+    found.reference = other
+    return found if other is not None else None
 
 
 def _set_off(

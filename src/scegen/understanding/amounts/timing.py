@@ -118,6 +118,10 @@ def earlier(figure: Figure) -> bool:
         named = [m for m in text.mentions if figure.j <= m.i < figure.end and m.entities]
         who = [m.entities[0] for m in named if m.entities[0] is not first.entity]
         who = [e for e in who if "circulates" not in e.told]  # it is in the ring already
+        if who and who[0].still:  # "cuts out 2 s before a standing van"
+            pair = {"entity": first.entity, "reference": who[0]}
+            first.when = figure.trigger("measure", measure=Measure.TTC_S, **pair)
+            return True
         if not who or first.kind is not ActKind.ENTER:
             return False
         second = text.same(first, who[0], figure.j, first.basis)
@@ -149,6 +153,15 @@ def _comes_in(figure: Figure) -> Doing | None:
     if not text.context.meeting or not who or not who[0].is_vehicle:
         return None
     return text.add(Doing(ActKind.ENTER, who[0], figure.amount.basis, figure.i))
+
+
+def _counted_on(figure: Figure, before: list[Doing]) -> bool:
+    """``after 3 s it changes lanes, after 6 s it brakes``: both since the start."""
+    since = before[-1].when
+    if since is None or since.kind != "start" or since.amount is None:
+        return False
+    words = [figure.text.tokens[i - 1].low for i in (figure.i, since.basis.i or 0)]
+    return words[0] == words[1] and figure.exactly.value.low > since.amount.value.low
 
 
 def _of_the_other(figure: Figure, doing: Doing) -> Doing | None:
@@ -195,6 +208,7 @@ def act_of(figure: Figure) -> Doing | None:
     if _since(figure) == "after" and after and earlier and not joined:
         return earlier[-1]  # "brakes with 4 m/s², 0.5 s after the van has braked"
     comma = next((k for k in range(figure.j, figure.end) if text.tokens[k].low == ","), -1)
+    comma = comma if _since(figure) in word_list("of_what") else -1  # "after 3 s it turns, …"
     first = [a for k, a in after if k > comma] or [a for _, a in after]
     return first[0] if first else None
 
@@ -217,7 +231,7 @@ def _base(figure: Figure, doing: Doing) -> tuple[Doing | None, Since]:
         begun = any(f" {w} " in begins for w in word_list("begun"))
         return clause[0], "begin" if begun or endless(clause[0], text) else "end"
     before = [a for a in text.found.acts if a.i < doing.i]
-    if not before:
+    if not before or figure.words_around.closes("by_the_clock") or _counted_on(figure, before):
         return None, "end"
     last = before[-1]
     own = last.entity is doing.entity

@@ -64,8 +64,9 @@ def choose_ego(draft: Draft, *, crossing: bool) -> tuple[Entity, Basis]:
     if all(_seen(draft, e, sides) for e in candidates):
         reason = "positions are given as seen from a vehicle that is not named; a car is added"
         return _added(draft, reason)
-    if alone and _endangers_unnamed(draft, crossing=crossing):
-        return _added(draft, "the only vehicle endangers another; a car is added as the ego")
+    all_cut_in = not crossing and _all_cut_in(draft, movers)
+    if all_cut_in or (alone and _endangers_unnamed(draft, crossing=crossing)):
+        return _added(draft, "whoever moves endangers another; a car is added as the ego")
     chosen, reason = _designate(draft, candidates)
     chosen.ego = True
     pair = len(afoot) == len(candidates) == len(movers) == 1
@@ -104,6 +105,12 @@ def _endangers_unnamed(draft: Draft, *, crossing: bool) -> bool:
     first, *rest = draft.entities
     known = first.labels or draft.tokens[first.basis.i or 0].low == "the"  # "the car stops"
     return not (rest or known) and bool(caused & _ENDANGERS) and not caused & _TO_ITSELF
+
+
+def _all_cut_in(draft: Draft, movers: list[Entity]) -> bool:
+    """``2 s after cutting in, the van brakes``: in front of somebody who is not named."""
+    cut_in = [d for d in draft.dangers if d.kind is HazardKind.CUT_IN]
+    return not any(d.to for d in cut_in) and all(any(e in d.by for d in cut_in) for e in movers)
 
 
 def _look_on(draft: Draft, teller: Entity) -> None:

@@ -121,6 +121,9 @@ def _single(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Ent
         options = (driving or running)[-1:] or options  # "a van is parked in its lane; it swerves"
     before = roster.before if len(roster.before) == 1 else []
     before = [e for e in before if word != "it" or "speaks" not in e.named_by]  # "I", never "it"
+    there = roster.landmark if word == "it" and mention.prep is None else None
+    if there is not None and there[1] != "ahead" and there[2] == roster.turns:
+        before = there[0]  # "the car behind the ego hits it"
     left = [e for e in (*before, *reversed(recent)) if e not in exclude]
     people = [e for e in left if word == "it" and _person(roster, e) and e.kind not in ANIMALS]
     left = [e for e in left if not (e in people or e.still)] or left  # "a man stops the ego; …"
