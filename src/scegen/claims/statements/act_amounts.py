@@ -6,12 +6,13 @@ from typing import NamedTuple
 import numpy as np
 
 from scegen.claims import tolerances
+from scegen.claims.boxes import to_side
 from scegen.claims.claim import Claim, Judged, within
 from scegen.claims.lateral import lateral_m
 from scegen.claims.moments import act_begins, act_run, rest
 from scegen.claims.series import at, greatest
 from scegen.claims.sideways import aside_over, straightened
-from scegen.claims.statements.of_an_act import claim_of, to_its_side
+from scegen.claims.statements.of_an_act import claim_of
 from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import KPH, Told, amount
 from scegen.claims.view import View
@@ -77,7 +78,8 @@ def _goes_back(told: Told, act: Act, view: View) -> _Found:
 
 
 def _far_aside(told: Told, act: Act, view: View) -> _Found:
-    most, step = greatest(to_its_side(told, act, view))
+    aside = lateral_m(view, act.participant, told.drive(act.participant))
+    most, step = greatest(to_side(act.side, aside))
     return _Found(most, view.time_of(step))
 
 

@@ -7,13 +7,14 @@ import numpy as np
 from scegen.claims import tolerances
 from scegen.claims.boxes import boxes, gap_m, offset, to_side
 from scegen.claims.claim import NEVER, Claim, Judged, best_of
+from scegen.claims.lateral import lateral_m
 from scegen.claims.moments import act_begins, passed
 from scegen.claims.series import at, greatest, least
 from scegen.claims.sideways import sideways_begin
 from scegen.claims.statements import act_amounts, act_triggers, doors
 from scegen.claims.statements.act_ends import SWERVES_M
 from scegen.claims.statements.maneuvers import LANE_M
-from scegen.claims.statements.of_an_act import claim_of, hits, to_its_side, when_s
+from scegen.claims.statements.of_an_act import claim_of, hits, when_s
 from scegen.claims.statements.touching import hit_s
 from scegen.claims.told import KPH, Told
 from scegen.claims.view import View
@@ -100,9 +101,9 @@ def _passing_side(told: Told, act: Act) -> Side | None:
 
 def _aside(told: Told, act: Act, far: float, view: View) -> Judged:
     """How far it comes to that side from where the act begins."""
-    moved, begins = to_its_side(told, act, view), sideways_begin(told, act, view)
-    farthest, step = greatest(moved, since=begins)
-    most = np.maximum(farthest - at(moved, begins), 0.0)
+    aside = lateral_m(view, act.participant, told.drive(act.participant))
+    begins = sideways_begin(told, act, view)
+    most, step = greatest(to_side(act.side, aside - at(aside, begins)[:, None]), since=begins)
     # Who hits the one beside it comes no farther.
     far_m = np.where(hits(told, act, view), min(far, SWERVES_M), far)
     return Judged(most - far_m, most, view.time_of(step))

@@ -5,9 +5,8 @@ from functools import partial
 
 import numpy as np
 
-from scegen.claims.boxes import contact, to_side
+from scegen.claims.boxes import contact
 from scegen.claims.claim import Claim, ClaimKind, Judged, Test
-from scegen.claims.lateral import lateral_m
 from scegen.claims.told import Told
 from scegen.claims.view import View
 from scegen.motion.batch.arrays import Bools, Floats, Ints
@@ -35,11 +34,6 @@ def claim_of(
 def when_s(view: View, step: Ints) -> Floats:
     """The moment of a step, s; NaN where there is none (c,)."""
     return np.where(step < view.steps, view.time_of(step), np.nan)
-
-
-def to_its_side(told: Told, act: Act, view: View) -> Floats:
-    """Way to the side that is said, to either if none (c, t)."""
-    return to_side(act.side, lateral_m(view, act.participant, told.drive(act.participant)))
 
 
 def hits(told: Told, act: Act, view: View) -> Bools:

@@ -208,7 +208,8 @@ def _into(doing: Doing, scene: Clause, context: Context) -> None:
     # "boxed in behind a van, it …", "so does the car behind it": where one is at first
     near = [p for p in near if not p.fronted and all(m.j != p.word.i for m in event.subject)]
     near = [p for p in near if event.name == "cut_in" or not _is_there(doing.entity, p, context)]
-    cuts = (d for d in context.draft.dangers if d.kind is HazardKind.CUT_IN)
+    left = out and event.lemma == "cut"  # "cuts in, then cuts out"
+    cuts = (d for d in context.draft.dangers if d.kind is HazardKind.CUT_IN and not left)
     egos = [e for e in context.draft.entities if e.ego]
     cut = [e for d in cuts if doing.entity in d.by for e in d.to or egos]
     named = [e for e in (*owners, *scene.targets, *people(near), *cut) if e is not doing.entity]

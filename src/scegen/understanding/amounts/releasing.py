@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.acts import ActKind
+from scegen.scenario.acts import SLOWING, ActKind
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.amounts.figures import Figure, has_a_size
@@ -171,6 +171,11 @@ def order(text: Telling) -> None:
         own = before.entity is doing.entity
         sure = [a for a in acts[:n] if a.always and a.i != doing.i and id(a) not in awaits]
         mine = [a for a in sure if a.entity is doing.entity]
+        if own and before.kind is ActKind.OVERTAKE and doing.kind in SLOWING:
+            told_of = [
+                s.event for s in text.within(before.i, doing.i)
+            ]  # "a taxi overtaking us brakes"
+            mine += [before] if any(e.form != "ing" for e in told_of) else []
         told = before.always or bool(before.amounts) or doing.always
         if phrase is not None and (told or not own):
             # "brakes before the ego turns", "starts to overtake, then": not that it is over by then
