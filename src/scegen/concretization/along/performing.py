@@ -84,6 +84,8 @@ def _is_placed_otherwise(story: Story, act: Act, when: WhenMeasure) -> bool:
 def _moment_s(story: Story, act: Act, *, placed: bool) -> float:
     """When an act begins; ``placed``: everybody has a place, so that distances tell it, too."""
     when = act.when
+    if isinstance(when, WhenMeasure) and story.comes_back(act):
+        when = None  # it follows from how far ahead it is when it has passed
     if isinstance(when, WhenMeasure) and (placed or _is_placed_otherwise(story, act, when)):
         return _when_measured_s(story, when) if placed else NEVER_S
     if isinstance(when, AfterStart):

@@ -96,9 +96,11 @@ def _speeds(story: Story) -> None:
             slow = runner.id in on_ramp and runner.id not in said
             runner.speed_mps = min(speed, RAMP_MPS) if slow else speed
     passing = {a.id for a in functional.acts if a.kind is ActKind.OVERTAKE}
-    near = [s for s in functional.spacings if s.at in passing and s.measure is Measure.GAP_M]
+    near = [
+        s for s in functional.spacings if s.at in {START, *passing} and s.measure is Measure.GAP_M
+    ]
     for hazard in story.of_kind(HazardKind.OVERTAKING):
-        # Who is said to be so near as it pulls out has followed until then.
+        # Who is said to be so near at first, or as it pulls out, has followed until then.
         if not any({s.participant, s.reference} <= {*hazard.by, *hazard.to} for s in near):
             _make_faster(story, hazard.by, hazard.to)
     for behind, ahead in _closing(functional):
