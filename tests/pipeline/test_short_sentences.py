@@ -24,6 +24,10 @@ GOES_ACROSS = ("A pedestrian", "A cyclist", "A deer")
 ACROSS = ("crosses behind the ego", "waits until the ego has passed and then crosses",
           "crosses from the right, stops on the centre line for 2 s and goes on",
           "crosses from the left and stands in the ego's lane for 3 s")  # fmt: skip
+MEANWHILE = ("As soon as the ego is alongside the truck", "While the ego overtakes the truck",
+             "When the ego draws level with the truck")  # fmt: skip
+TRUCK = ("changes lanes to the left", "swerves to the left", "accelerates", "brakes")
+FIRST = ("changes to the ego's lane", "accelerates to 90 km/h")
 SENTENCES = (
     "The ego turns left at a crossroads with a stop sign.",
     "A car runs a red light.",
@@ -70,6 +74,12 @@ SENTENCES = (
     "A bus ahead of the ego in the roundabout brakes hard and the ego rear-ends it.",
     "The car ahead slows down to turn right into a driveway; the ego, at 45 mph and 1.2 s behind, "
     "nearly hits it.",
+    "The target cuts in, then cuts out again.",
+    "A car overtakes the ego and brakes hard.",
+    "A car closes in to 5 m behind the ego, then overtakes it.",
+    "The lead vehicle decelerates with 2 m/s² and then brakes with 8 m/s².",
+    "Car A brakes, then car B, which drives behind A, changes into the ego's lane.",
+    "The car ahead cuts out to reveal a truck at 20 km/h; the ego avoids a collision.",
 )
 WALKERS = (
     "The car ahead brakes for a pedestrian.",
@@ -111,6 +121,16 @@ def test_whom_somebody_brakes_for_crosses_before_that_one(text):
     assert proof.in_band
     ways = {claim.statement for claim in proof.claims}
     assert "crossing pedestrian by pedestrian_1 to car_1 happens" in ways
+
+
+@pytest.mark.parametrize("text", [f"{a}, the truck {b}." for a in MEANWHILE for b in TRUCK])
+def test_what_is_done_beside_another_is_done_there(text):
+    assert not made(text).missed
+
+
+@pytest.mark.parametrize("text", [f"Before braking to a stop, the van {does}." for does in FIRST])
+def test_what_comes_first_may_be_told_last(text):
+    assert not made(text).missed
 
 
 @pytest.mark.parametrize("text", SENTENCES)

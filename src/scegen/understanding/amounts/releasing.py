@@ -160,7 +160,7 @@ def order(text: Telling) -> None:
     for doing in acts:  # "both brake when they are 80 m apart"
         alike = [a for a in acts if a.i == doing.i and a.kind is doing.kind and a.when]
         doing.when = doing.when or (alike[0].when if alike else None)
-    acts = sorted(acts, key=lambda a: _moment(a, text))
+    text.found.acts = acts = sorted(acts, key=lambda a: _moment(a, text))
     for n, (doing, before) in enumerate(zip(acts[1:], acts, strict=False), start=1):
         if doing.when is not None:
             continue
