@@ -224,8 +224,8 @@ def _goes_in(doing: Doing) -> bool:
 def _until_it_brakes(text: Telling, one: Entity, other: Entity, acts: list[Doing]) -> Doing | str:
     """Between two who are as fast: as far as when the one in front brakes."""
     unequal = one.speed is not None and other.speed is not None and one.speed != other.speed
-    others = [a for a in text.found.acts if a not in acts]
-    parted = any(a.into in (one, other) for a in others)  # "cuts into the 20 m gap"
+    stay = not any(a.kind in _INTO for a in acts)  # "cuts into the 20 m gap between them"
+    parted = stay and any(a.into in (one, other) for a in text.found.acts if a not in acts)
     if unequal or parted or any(e.still or not e.is_vehicle for e in (one, other)):
         return START
     leader = text.in_file(one, other)[1]
