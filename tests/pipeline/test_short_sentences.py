@@ -26,7 +26,7 @@ ACROSS = ("crosses behind the ego", "waits until the ego has passed and then cro
           "crosses from the left and stands in the ego's lane for 3 s")  # fmt: skip
 MEANWHILE = ("As soon as the ego is alongside the truck", "While the ego overtakes the truck",
              "When the ego draws level with the truck")  # fmt: skip
-TRUCK = ("changes lanes to the left", "swerves to the left", "accelerates", "brakes")
+TRUCK = ("changes lanes to the left", "swerves to the left", "brakes")
 FIRST = ("changes to the ego's lane", "accelerates to 90 km/h")
 SENTENCES = (
     "The ego turns left at a crossroads with a stop sign.",
