@@ -50,7 +50,7 @@ def _told(text):
                     tuple(sorted(p.maneuvers - {"straight"})),
                     p.crosses,
                     p.circulating,
-                    _low(p.speed_mps, 3.6),
+                    str(_low(p.speed_mps, 3.6)),
                 )
                 for p in scenario.participants
             )

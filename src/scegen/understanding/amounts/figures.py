@@ -231,6 +231,8 @@ class Figure(Clause):
         start = whose[-1] if whose else -1
         if not whose or not (start == self.start or lows[-1] in word_list("links")):
             return []
+        if lows[start] in {"my", "our"}:
+            return [e for m in mentions for e in m.entities if e.ego][:1]
         before = [m for m in mentions if m.i < start and m.entities and not m.possessor]
         opening = self.text.bounds(self.start - 2)[0] if self.start > 1 else self.start
         said = [m for m in before if m.i >= opening and m.prep is None] or before[-1:]

@@ -48,6 +48,8 @@ def _struck(ending: Ending, text: Telling) -> None:
     portions = {id(portion) for p in places if (portion := part_of[id(p)]) is not p}
     driven_into: Basis | None = None
     for place in [p for p in places if p.kind in _BODY and id(p) not in portions]:
+        if place.opening == "with" and place.i < (ending.basis.i or 0):
+            continue  # "with his back to the ego he is hit"
         if place.opening == "from":
             continue  # "approaches from the rear and hits it": no part
         of_road = any(c.i == place.j + 1 for c in roads) and text.tokens[place.j].low == "of"

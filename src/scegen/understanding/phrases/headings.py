@@ -15,6 +15,7 @@ from scegen.understanding.phrases.lookahead import (
 )
 from scegen.understanding.words.terms import Term
 
+_NOBODY = "nobody"
 _GENERIC = frozenset({"car", "driver", "adversary"})
 _SPECIFIC = frozenset({"pedestrian", "bicycle", "motorcycle", "truck", "bus"})
 _QUALITIES = frozenset({("manner", "slow"), ("manner", "fast"), ("manner", "wrong_way")})
@@ -265,9 +266,9 @@ def _introduced(mention: Mention) -> bool:
 
 
 def read_entries(chunks: list[Chunk]) -> list[Chunk]:
-    """``Lead car, same lane: 30 km/h``: entries of a protocol.
+    """``Lead car, same lane: 30 km/h``, ``Other road users: none``: entries of a protocol.
 
-    A speed behind a colon is that of who opens the entry.
+    A speed behind a colon is that of who opens the entry, "none" denies who does.
     """
     titles = [(chunks[begin:k], k) for begin, k in sentences(chunks) if chunks[k].value == ":"]
     left_out = {m for title, k in titles for m in range(k, _entry(title, chunks, k))}
@@ -283,6 +284,10 @@ def _entry(title: list[Chunk], chunks: list[Chunk], k: int) -> int:
     while cat_at(chunks, m) in {"manner", "prep"}:
         m += 1
     value = chunk_at(chunks, m)
+    last = m + 1 == len(chunks) or value_at(chunks, m + 1) in {".", ";", ","}
+    if isinstance(value, Mention) and value.pronoun == _NOBODY and last:
+        who[0].negated = True
+        return m + 1
     if isinstance(value, Term) and (value.cat, value.value) == ("quantity", "speed"):
         for each in who:
             each.mods = [*each.mods, value]

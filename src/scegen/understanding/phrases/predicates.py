@@ -60,6 +60,8 @@ def _whose(chunks: list[Chunk], k: int, events: list[Event]) -> list[Mention]:
         return []
     for n in range(m - 1, -1, -1):
         chunk = chunks[n]
+        if ends(chunk):
+            break
         if isinstance(chunk, Mention) and chunk.prep is None and _opens(chunks, n):
             return [] if chunk.negated else [chunk]
     return []

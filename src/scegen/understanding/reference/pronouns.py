@@ -214,6 +214,8 @@ def _known_one(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[
     if not mention.opened_by("def"):
         return []
     others = [e for e in roster.recent if e.is_vehicle and not e.ego and e not in exclude]
+    if _word(roster, mention) in word_list("pointing"):
+        return others[-1:]
     colour = next((roster.tokens[m.i].low for m in mention.mods if m.value == "colour"), None)
     if colour is not None:  # "the grey one": nobody who is called white
         words = [{t.low for t in roster.tokens[e.basis.i or 0 : e.basis.j or 0]} for e in others]
