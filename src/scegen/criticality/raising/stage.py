@@ -172,7 +172,7 @@ class Stage:
         return self.ended(bound)
 
     def ended(self, found: Evidence) -> Evidence:
-        """With collisions that halt: where they are told of, if all that holds then still does."""
+        """With collisions that halt, where all that holds then still does."""
         held = {claim.id for claim in found.claims if claim.holds}
         for scraping in (True, False):
             over = halted(found.concrete, found.view, scraping=scraping)
@@ -183,8 +183,7 @@ class Stage:
             except MotionInfeasibleError:
                 continue  # the lane in which it would stay ends
             met = after.meets(self.target, self.pair) or not found.meets(self.target, self.pair)
-            told = self.functional is not None and self.functional.outcome is not None
-            if met and (held <= {c.id for c in after.claims if c.holds} or not told):
+            if met and held <= {c.id for c in after.claims if c.holds}:
                 return after
         return found
 
