@@ -15,6 +15,7 @@ from scegen.understanding.happenings import Amount
 from scegen.understanding.lexicon import word_list
 
 _AHEAD = {Approach.AHEAD}
+_ACROSS = {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE}
 _PAIR = 2
 _BRACKET = 3
 
@@ -213,3 +214,11 @@ def tell_order(figure: Figure, measure: Measure, one: Entity, other: Entity) -> 
     if not (placed or figure.text.context.meeting or beside or entity.parked or entity.heading):
         reason = "a gap along the road is one to who is ahead"
         draft.place(entity, None, {Approach.AHEAD}, basis.because(reason))
+
+
+def on_two_roads(text: Telling, one: Entity, other: Entity) -> bool:
+    """Whether two only come together where their roads meet."""
+    sides = set().union(*(at for _, at in text.stand(one, other)))
+    context, implied = text.context, text.draft.implied
+    meet = context.meeting or context.junction.control is not None or "access" in implied
+    return meet and sides <= _ACROSS

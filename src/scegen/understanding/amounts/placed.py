@@ -9,7 +9,7 @@ from scegen.scenario.spacings import CONTACT, LENGTHWISE, START, Measure
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.amounts import aside
 from scegen.understanding.amounts.figures import Figure
-from scegen.understanding.amounts.pairs import each_from, pair_of, row_of, tell_order
+from scegen.understanding.amounts.pairs import each_from, on_two_roads, pair_of, row_of, tell_order
 from scegen.understanding.amounts.telling import CHANGING, Telling
 from scegen.understanding.entity import Entity
 from scegen.understanding.happenings import Apart, Doing, Since
@@ -22,7 +22,6 @@ _TWO_LANES = 7
 _PASSED = frozenset({"overtake", "pass", "bypass"})
 _WHOLE = 100
 _ELSEWHERE = {Maneuver.LANE_CHANGE, Maneuver.OVERTAKE, Maneuver.LEFT, Maneuver.RIGHT}
-_ACROSS = {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE}
 _BREACHES = (HazardKind.FAILURE_TO_YIELD, HazardKind.RED_LIGHT_RUNNING)
 _TOLD_OTHERWISE = "how far apart they are then is told otherwise before; left out"
 
@@ -196,17 +195,9 @@ def moment(figure: Figure, measure: Measure, one: Entity, other: Entity) -> Doin
     if not here_into:  # "brakes at a TTC of 3 s", "brakes with 6 m/s² 20 m ahead of the ego"
         then = [a for a in here if told & a.places] or _opens_with(figure, acts)
         here_into = [a for a in then if measure is Measure.TTC_S or a.kind in CHANGING]
-    if not here_into and _on_two_roads(text, one, other):  # "a van pulls out. The gap is 20 m"
+    if not here_into and on_two_roads(text, one, other):  # "a van pulls out. The gap is 20 m"
         here_into = [a for a in acts if _goes_in(a)] or _comes_in(figure, one, other)
     return here_into[-1] if here_into else _until_it_brakes(text, one, other, acts)
-
-
-def _on_two_roads(text: Telling, one: Entity, other: Entity) -> bool:
-    """Whether two only come together where their roads meet."""
-    sides = set().union(*(at for _, at in text.stand(one, other)))
-    context, implied = text.context, text.draft.implied
-    meet = context.meeting or context.junction.control is not None or "access" in implied
-    return meet and sides <= _ACROSS
 
 
 def _comes_in(figure: Figure, one: Entity, other: Entity) -> list[Doing]:

@@ -1,7 +1,5 @@
 """What sets acts off: how far somebody is, "then", "as soon as", what one does in turn."""
 
-from __future__ import annotations
-
 from scegen.scenario.acts import SLOWING, ActKind
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, Maneuver
@@ -19,7 +17,6 @@ from scegen.understanding.words.terms import Term
 
 JUNCTION = frozenset({"junction", "signal", "stop_line", "stop_sign", "yield_sign"})
 _LINES = JUNCTION | {"crosswalk"}
-_RESTING = frozenset({"wait", "stop", "park"})
 
 
 def sets_off(figure: Figure) -> bool:
@@ -51,7 +48,7 @@ def sets_off(figure: Figure) -> bool:
         return _comes_down(figure, doing, subject, line)
     subject = subject if opened else figure.said_of or subject
     moved = subject if subject is not doing.entity else None
-    rests = figure.does in _RESTING and moved in figure.actors
+    rests = figure.does in {"wait", "stop", "park"} and moved in figure.actors
     if moved is not None and (moved.still or rests):
         return False  # "where a van waits 5 m before the line": so far it stays
     doing.when = figure.trigger("junction", entity=moved)
@@ -172,10 +169,8 @@ def order(text: Telling) -> None:
         sure = [a for a in acts[:n] if a.always and a.i != doing.i and id(a) not in awaits]
         mine = [a for a in sure if a.entity is doing.entity]
         if own and before.kind is ActKind.OVERTAKE and doing.kind in SLOWING:
-            told_of = [
-                s.event for s in text.within(before.i, doing.i)
-            ]  # "a taxi overtaking us brakes"
-            mine += [before] if any(e.form != "ing" for e in told_of) else []
+            forms = {s.event.form for s in text.within(before.i, doing.i)}
+            mine += [before] if forms - {"ing"} else []  # not "a taxi overtaking us brakes"
         told = before.always or bool(before.amounts) or doing.always
         if phrase is not None and (told or not own):
             # "brakes before the ego turns", "starts to overtake, then": not that it is over by then
@@ -286,11 +281,11 @@ def _level(chunk: Term, end: int, main: Doing, text: Telling) -> Trigger | None:
         return None
     one, near = who[0], [main.entity, *text.spoken_of(0, chunk.i)]
     whom = there.target.entities if isinstance(there.target, Mention) else []
-    named = [e for e in (*whom, *near) if e is not one]
-    other = named[0] if named else text.counterpart(one, near)
+    named = (e for e in (*whom, *near) if e is not one)
+    other = next(named, None) or text.counterpart(one, near)
     basis = Basis(chunk.i, there.word.j)
-    found = Trigger("measure", basis, Amount(STILL, basis), measure=Measure.GAP_M, entity=one)
-    found.reference = other
+    gap, level = Measure.GAP_M, Amount(STILL, basis)
+    found = Trigger("measure", basis, level, measure=gap, entity=one, reference=other)
     return found if other is not None else None
 
 
