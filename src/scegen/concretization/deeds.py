@@ -44,7 +44,7 @@ _AFTER_WALKER_S = 0.5
 _INTO_M, _ROLLS_M = 0.5, 0.4
 _TURNS_AT = 0.6
 _SETS_OFF_M = 8.0
-"""Who waits for green does what it does besides after so much of its way over the line."""
+"""Who waits for green does what it does besides so far behind the place where it has waited."""
 _LATE = 0.5
 """One who brakes late begins with half of the braking distance left."""
 
@@ -125,12 +125,8 @@ def _before_slowing_m(scene: Setup, draft: DriveDraft) -> Iterator[float]:
     for other in scene.drives.values():
         into = draft in ahead_on_arm(scene, other) and scene.contact_wanted(other.id, draft.id)
         if into and scene.has_said_speed(other.id):
-            yield (
-                min((mark.s_m for mark in _slows(other)), default=inf)
-                + other.body.front_m
-                + draft.body.rear_m
-                - _INTO_M
-            )
+            slows_m = min((mark.s_m for mark in _slows(other)), default=inf)
+            yield slows_m + other.body.front_m + draft.body.rear_m - _INTO_M
 
 
 def lead_in_missing_s(scene: Setup) -> float:

@@ -61,11 +61,7 @@ class Quantity:
         """The same without the sign of a figure below zero."""
         if self.value.low >= 0:
             return self
-        value, *parts = (
-            Interval(low=min(ends), high=max(ends))
-            for v in (self.value, *self.parts)
-            for ends in [(abs(v.low), abs(v.high))]
-        )
+        value, *parts = map(_unsigned, (self.value, *self.parts))
         return replace(self, value=value, parts=tuple(parts))
 
     @property
@@ -73,6 +69,11 @@ class Quantity:
         """The range of the numbers themselves."""
         low, high = min(p.low for p in self.parts), max(p.high for p in self.parts)
         return Interval(low=low, high=high) if len(self.parts) > 1 else self.parts[0]
+
+
+def _unsigned(value: Interval) -> Interval:
+    low, high = sorted((abs(value.low), abs(value.high)))
+    return Interval(low=low, high=high)
 
 
 def _unit_at(tokens: list[Token], i: int) -> tuple[str, str, int] | None:
