@@ -358,6 +358,10 @@ def test_a_minus_stands_for_what_comes_on_standard_input(scegen, tmp_path):
     said = scegen("understand", "A van turns left at a crossroads.").stdout
     assert scegen("understand", "-", stdin=told).stdout == said
     counted = scegen("enumerate", "-", "--count-only", stdin=said.encode())
+    bare = tmp_path / "of_any_name"
+    bare.write_text(said)
+    for same in (bare, said):
+        assert scegen("enumerate", same, "--count-only").stdout == counted.stdout
     assert counted.stdout == scegen("enumerate", "-", "--count-only", stdin=told).stdout
     logical = tmp_path / "logical.json"
     assert scegen("enumerate", "-", "-o", logical, stdin=told).returncode == 0

@@ -1,6 +1,5 @@
 """What the user hands in: a sentence, or a file of any level."""
 
-import re
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -10,7 +9,7 @@ from scegen.checking.subject import CONCRETE_FILE, FUNCTIONAL_FILE, read_proof
 from scegen.enumeration import count_scenarios
 from scegen.errors import InputError
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.files import from_text, load_any, load_if_there, read_text, text_of
+from scegen.scenario.files import from_text, is_scenario, load_if_there, read_text, text_of
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalSet
 from scegen.scenario.wording import counted
@@ -21,8 +20,6 @@ Understand = Callable[[str], FunctionalScenario]
 _FILE_ENDINGS = (".yaml", ".yml", ".json", ".txt", ".md")
 _LONGEST_PATH = 1024
 _STDIN = "-"
-_SCENARIO = re.compile(r"\A\s*\{|^level:", re.MULTILINE)
-"""What the text of a scenario file holds, and no description."""
 LOGICAL_FILE = "logical.json"
 GIVEN_FILE = "given.json"
 """The numbers that a search began from, where they were given."""
@@ -31,24 +28,22 @@ GIVEN_FILE = "given.json"
 def resolve_source(text_or_path: str, understand: Understand = read) -> Source:
     """The scenario that an argument stands for.
 
-    A path to a YAML or JSON file is loaded at its level, any other file is read as a
-    description, ``-`` stands for what comes on standard input, and everything else is the
-    description itself. Descriptions are left to ``understand``, the offline reader unless said
-    otherwise.
+    A path stands for what is in that file, ``-`` for what comes on standard input. A scenario is
+    loaded at its level; all else is a description and left to ``understand``, the offline reader
+    unless said otherwise.
 
     Raises:
         InputError: the text is empty, not traffic, or the file cannot be used.
     """
     path = _as_path(text_or_path)
-    found: Source
+    where, text = "description", text_or_path
     if text_or_path == _STDIN:
         where = "standard input"
         text = text_of(sys.stdin.buffer.read(), where=where)
-        found = from_text(text, where=where) if _SCENARIO.search(text) else understand(text.strip())
-    elif path is None:
-        found = understand(text_or_path)
-    else:
-        found = load_any(path) or understand(read_text(path).strip())
+    elif path is not None:
+        where, text = str(path), read_text(path)
+    scenario = is_scenario(text, where)
+    found = from_text(text, where=where) if scenario else understand(text.strip())
     return recounted(found) if isinstance(found, LogicalSet) else found
 
 

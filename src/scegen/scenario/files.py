@@ -1,6 +1,7 @@
 """Scenario files: every level as YAML or JSON, read back with errors that name the place."""
 
 import json
+import re
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -29,6 +30,8 @@ _MADE_BY = {
 }
 AnyLevel = FunctionalScenario | LogicalSet | ConcreteScenario
 M = TypeVar("M", bound=FrozenModel)
+_ENDINGS = (".yaml", ".yml", ".json")
+_SCENARIO = re.compile(r"\A\s*\{|^level:", re.MULTILINE)
 _DUMPER: type = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
 
 
@@ -102,9 +105,13 @@ def load_if_there(path: Path, cls: type[M]) -> M | None:
 
 def load_any(path: Path) -> AnyLevel | None:
     """Read whatever level the file holds; None if the file is not a scenario file."""
-    if path.suffix.lower() not in {".yaml", ".yml", ".json"}:
-        return None
-    return from_text(read_text(path), where=str(path))
+    text = read_text(path)
+    return from_text(text, where=str(path)) if is_scenario(text, path.name) else None
+
+
+def is_scenario(text: str, name: str = "") -> bool:
+    """Whether a text, of a file of that name, is that of a scenario and no description."""
+    return name.lower().endswith(_ENDINGS) or _SCENARIO.search(text) is not None
 
 
 def from_text(text: str, *, where: str) -> AnyLevel:
