@@ -14,6 +14,7 @@ SENTENCES = {
     "line": "A van ahead of the ego brakes hard for a fallen tree on a straight road.",
     "kiosk": "A pedestrian runs out from behind a kiosk on the left of a straight road and the ego "
     "brakes hard.",
+    "trolley": "The ego reverses at 4 km/h and its rear hits a shopping trolley behind it.",
     "hedge": "The ego comes to a T-intersection; a hedge hides a speeding car from the right.",
 }
 

@@ -6,6 +6,7 @@ from functools import cached_property
 from scegen.scenario.acts import Act, ActKind
 from scegen.scenario.concrete import door_of
 from scegen.scenario.functional import FunctionalScenario, Hazard, Participant
+from scegen.scenario.hazards import HAZARDS, Arrangement, Case
 from scegen.scenario.in_line import unconcerned
 from scegen.scenario.logical import ConflictKind, Crossing, Drive, LogicalScenario
 from scegen.scenario.model import Interval
@@ -60,6 +61,13 @@ class Told:
         """Whether it is said to brake for nobody."""
         return any(p.unresponsive for p in self.people if p.id == name)
 
+    def reverses(self, name: str) -> bool:
+        """Whether somebody drives backwards."""
+        drive = self.drive(name)
+        return (drive is not None and drive.reverses is not None) or any(
+            act.kind is ActKind.REVERSE for act in self.acts_of(name)
+        )
+
     def acts_of(self, name: str) -> tuple[Act, ...]:
         """What somebody does, in order."""
         return tuple(act for act in self.functional.acts if act.participant == name)
@@ -68,7 +76,8 @@ class Told:
     def hazards(self) -> tuple[Hazard, ...]:
         """The dangers, with everybody named who causes and who suffers them.
 
-        What one alone causes and nobody is said to suffer, anybody else may who can.
+        What one alone causes and nobody is said to suffer, anybody else may who can; where there is
+        nobody, what lies in its way, of who drives into that.
         """
         return tuple(
             hazard if hazard.to or len(hazard.by) != 1 else self._to_anybody(hazard)
@@ -77,8 +86,10 @@ class Told:
 
     def _to_anybody(self, hazard: Hazard) -> Hazard:
         out = unconcerned(self.functional, hazard.kind, hazard.by)
-        others = (p.id for p in self.people if p.id not in out and not p.parked)
-        return hazard.but(to=tuple(others))
+        others = tuple(p.id for p in self.people if p.id not in out and not p.parked)
+        into = Arrangement.INTO in HAZARDS[hazard.kind].needs.get(Case.ANYWHERE, ())
+        things = (t.id for t in self.functional.objects if into and t.in_way_of in hazard.by)
+        return hazard.but(to=others or tuple(things))
 
     @property
     def collides(self) -> bool:

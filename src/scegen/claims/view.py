@@ -21,7 +21,9 @@ from scegen.measures.evaluation import Summary, measure
 from scegen.measures.following import gaps_behind
 from scegen.measures.grounds import Ground
 from scegen.measures.tables import Tables
-from scegen.motion.batch.arrays import SPEED, BatchTraces, Floats, Ints, S
+from scegen.motion.batch.arrays import HEADING, SPEED, BatchTraces, Floats, Ints, S, X, Y
+from scegen.motion.model import Path
+from scegen.road.geometry import Pose
 from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import ConcreteScenario
 
@@ -114,6 +116,12 @@ class View:
         axis = self.once("axis", lambda: axis_of(self.concrete))
         tracks = self.traces.tracks
         return tracks if axis is None else self.once("laid", lambda: straightened(axis, tracks))
+
+    def path(self, name: str) -> Path:
+        """The way of a participant; that of a thing is the place where it lies."""
+        if name in self.ways:
+            return self.ways[name].path
+        return Path.at(Pose(*(float(self.row(name, row)[0, 0]) for row in (X, Y, HEADING))))
 
     def row(self, name: str, row: int) -> Floats:
         """A row of a participant's track (see ``BatchTraces``)."""

@@ -127,6 +127,7 @@ class Item:
     basis: Basis
     blocks: bool = False
     blocked: Entity | None = None
+    blocked_basis: Basis | None = None
     hides: list[Entity] = field(default_factory=list)
     side: Side | None = None
     side_basis: Basis | None = None

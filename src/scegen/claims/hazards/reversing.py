@@ -25,7 +25,7 @@ def reversing(view: View, by: str, to: str) -> list[Part]:
     into, passes_m = _into_the_way(view, by, to, place)
     gone = np.diff(place, axis=1, prepend=place[:, :1])
     counts = back & into
-    if view.ways[to].path.length_m > 0.0:  # one that stands is never past
+    if view.path(to).length_m > 0.0:  # one that stands is never past
         counts &= view.place_m(to) < passes_m
     went = np.where(counts, gone, 0.0)
     _, step = greatest(np.cumsum(went, axis=1))
@@ -46,7 +46,7 @@ def _near(view: View, by: str, to: str, counts: Bools) -> Part:
 
 def _into_the_way(view: View, by: str, to: str, place_m: Floats) -> tuple[Bools, Floats]:
     """Whether its tail is in the other's way or gets nearer to it, and where that one passes it."""
-    path, other = view.ways[by].path, view.ways[to].path
+    path, other = view.path(by), view.path(to)
     s = np.linspace(0.0, path.length_m, max(2, int(path.length_m / _SAMPLE_M) + 1))
     rear_m = view.body(by).rear_m
     half_m = view.body(to).width_m / 2

@@ -22,7 +22,8 @@ def claims(told: Told) -> Iterator[Claim]:
     for thing in told.functional.objects:
         what = thing.called or plain(thing.kind)
         if thing.in_way_of is not None:
-            test: Test = partial(_in_way, thing, thing.in_way_of)
+            backwards = told.reverses(thing.in_way_of)
+            test: Test = partial(_in_way, thing, thing.in_way_of, backwards)
             yield _claim(thing, "in_way_of", f"{what} lies in the way of {thing.in_way_of}", test)
         if thing.side is not None:
             test = partial(_on_side, thing, told.ego, thing.side)
@@ -40,8 +41,8 @@ def _claim(thing: Thing, part: str, statement: str, test: Test, unit: str = "m")
     return Claim(f"object.{name}", kind, statement, f"objects.{name}", unit, test)
 
 
-def _in_way(thing: Thing, name: str, view: View) -> Judged:
-    """Ahead on its line at the start, or in what it sweeps where it comes nearest."""
+def _in_way(thing: Thing, name: str, backwards: bool, view: View) -> Judged:
+    """Where it goes on its line at the start, or in what it sweeps where it comes nearest."""
     if thing.id not in view.index:
         return always(view, holds=False)
     found = []
@@ -49,7 +50,7 @@ def _in_way(thing: Thing, name: str, view: View) -> Judged:
         step = view.step_of(time_s)
         place = seen(box_at(view, name, step), box_at(view, thing.id, step))
         reach = (place.left - place.right) / 2.0 + SAME_LANE_M
-        margin = np.minimum(reach - np.abs(place.y), place.front)
+        margin = np.minimum(reach - np.abs(place.y), -place.rear if backwards else place.front)
         found.append(Judged(margin, margin, time_s))
     return best_of(view, found)
 

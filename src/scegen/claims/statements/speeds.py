@@ -57,7 +57,7 @@ def claims(told: Told) -> Iterator[Claim]:
         test = partial(_holds, told, person, person.speed_mps)
         until = _until(told, person)
         verb = goes(person.kind)
-        if _reverses(told, person.id):
+        if told.reverses(person.id):
             test = partial(_fastest, told, person.id, person.speed_mps, -1)
             verb, until = "goes backwards at", ""
         elif person.pulls_out:
@@ -83,14 +83,6 @@ def _until(told: Told, person: Participant) -> str:
     if told.collides:
         return " until the contact"
     return " until something concerns it"
-
-
-def _reverses(told: Told, name: str) -> bool:
-    """Whether it drives backwards: then its speed is said of that."""
-    drive = told.drive(name)
-    return (drive is not None and drive.reverses is not None) or any(
-        act.kind is ActKind.REVERSE for act in told.acts_of(name)
-    )
 
 
 def _fastest(told: Told, name: str, wanted: Interval, sense: int, view: View) -> Judged:

@@ -48,7 +48,7 @@ def is_ahead(story: Story, who: str, other: str) -> bool:
         if into or (over and not stays.moves):
             return sign
     if first.stands != second.stands:
-        return first.stands
+        return first.stands != story.lies_behind(who if first.stands else other)
     names, order, ego = list(story.runners), story.ranks(), story.ego.id
     one, two = ((order[n], n == ego, names.index(n)) for n in (who, other))
     return one < two

@@ -133,8 +133,14 @@ class Story(Tale):
         """The order along the road, foremost first; things, and who stands before the ego, lead."""
         known, far = {a.participant: a for a in self.logical.assignments}, len(self.runners)
         ranks = {name: getattr(known.get(name), "rank", -1) for name in self.runners}
+        ranks |= {name: far for name in self.things if self.lies_behind(name)}
         met = {n for n, r in self.runners.items() if r.stands and ranks[n] < ranks[self.ego.id]}
         return {name: rank - far * (name in met) for name, rank in ranks.items()}
+
+    def lies_behind(self, name: str) -> bool:
+        """Whether it is a thing in the way of one who reverses."""
+        thing = self.things.get(name)
+        return thing is not None and self.runners[thing.in_way_of or self.ego.id].backs
 
     def driver(self, name: str) -> Driver:
         """Who drives somebody."""

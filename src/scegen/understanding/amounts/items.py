@@ -21,6 +21,8 @@ _MOST = 5
 _NEAR = 4
 _SIDES = frozenset(Side)
 _MOVES = frozenset({"move", "enter", "cross", "walk", "dash", "lose_control"})
+_ALONG = {"ahead": False, "behind": True}
+"""Where what lies there is in somebody's way -> whether of one who reverses."""
 _HIDING = frozenset({"behind", "between", "by", "from", "due"})
 
 
@@ -56,6 +58,7 @@ def _lie_in_the_way(danger: Danger, text: Telling) -> None:
         for _ in range(min(int(number.data["number"]), _MOST) if number is not None else 1):
             item = item_of(thing, text)
             item.blocks, item.blocked = True, _who_reacts(thing, text)
+            _before_whom(item, thing, text)
             _add(item, danger, text)
         for scene in text.scenes:  # "a ball rolls onto the road"
             follows = 0 <= scene.event.i - thing.j <= 1 and not scene.actors
@@ -78,6 +81,19 @@ def _who_reacts(thing: Thing, text: Telling) -> Entity | None:
         if scene.drivers and any(each is thing for each in scene.event.nouns()):
             return scene.drivers[0]
     return None
+
+
+def _before_whom(item: Item, thing: Thing, text: Telling) -> None:
+    """``a box lies ahead of the van``, or behind it, if that reverses."""
+    rest = [c for c in text.chunks if thing.j <= c.i < text.bounds(thing.i)[1]]
+    rest = [c for c in rest if not isinstance(c, Event) and c.cat not in {"rel", "manner"}]
+    where, whom = [*rest, None, None][:2]
+    if where is None or where.value not in _ALONG or not isinstance(whom, Mention):
+        return
+    backing = [e for s in text.scenes if s.event.name == "reverse" for e in s.actors]
+    for each in (whom.entities or backing)[:1]:
+        if _ALONG[where.value] == (each in backing):
+            item.blocked, item.blocked_basis = each, Basis(where.i, where.j)
 
 
 def _hide(danger: Danger, text: Telling) -> None:

@@ -132,6 +132,8 @@ class Writer:
             self.proofs.add(f"objects.{item.name}.kind", item.basis)
             if item.side_basis is not None:
                 self.proofs.add(f"objects.{item.name}.side", item.side_basis)
+            if item.blocked_basis is not None:
+                self.proofs.add(f"objects.{item.name}.in_way_of", item.blocked_basis)
             for name, amount in item.sizes.items():
                 self.proofs.add(f"objects.{item.name}.{name}", amount.basis)
             found.append(

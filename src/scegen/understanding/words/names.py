@@ -192,6 +192,22 @@ def of_no_known_kind(terms: list[Term], tokens: list[Token]) -> list[Term]:
     return found
 
 
+def called_shortly(terms: list[Term], tokens: list[Token]) -> list[Term]:
+    """``a golf cart … the cart``: the last word of a longer name means whoever was called so."""
+    longer: dict[str, Term] = {}
+    found: list[Term] = []
+    for k, term in enumerate(terms):
+        noun = tokens[term.j - 1]
+        whole = longer.get(noun.base)
+        open_ = term.cat == "unknown" or "instead" in term.data
+        if term.j - term.i > 1 and term.cat in {"actor", "thing"}:
+            longer[noun.base] = term
+        elif whole is not None and open_ and term_at(terms, _opener(terms, k)).value == "def":
+            term = replace(whole, i=term.i, j=term.j, form=_number(noun))  # noqa: PLW2901
+        found.append(term)
+    return found
+
+
 def _number(noun: Token) -> str:
     return "s" if noun.low.endswith("s") else "base"
 

@@ -9,6 +9,7 @@ from scegen.understanding.lexicon import Entry, word_list
 from scegen.understanding.words.choosing import choose, is_adverb
 from scegen.understanding.words.contexts import retag
 from scegen.understanding.words.names import (
+    called_shortly,
     name_letters,
     named_at,
     of_no_known_kind,
@@ -123,7 +124,7 @@ def tag(tokens: list[Token]) -> list[Term]:
         i = terms[-1].j
     crossed = _crossings(terms, tokens)
     named = with_articles(name_letters(crossed, tokens), tokens)
-    return whose_doing(of_no_known_kind(named, tokens))
+    return whose_doing(of_no_known_kind(called_shortly(named, tokens), tokens))
 
 
 def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:
