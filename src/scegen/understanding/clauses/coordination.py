@@ -83,11 +83,21 @@ def coordinate(event: Event, state: State) -> None:
         event.subject = [beside]
         return
     parallel = parallel or state.events[-1]
+    if parallel.parent is not None and _goes_on_itself(event, parallel, state):
+        parallel = parallel.parent
     event.subject = parallel.subject
     if wanted != "finite":
         event.parent, event.link = parallel.parent, parallel.link
         event.modal = event.modal or parallel.modal
     alternative(event, parallel, state)
+
+
+def _goes_on_itself(event: Event, let: Event, state: State) -> bool:
+    """``we let a van pass and then turn left``: the one who lets it turns; not "force it to …"."""
+    own = let.parent is not None and (let.parent.form, let.parent.control) == (event.form, "object")
+    since = state.chunks.index(let)
+    then = any(isinstance(c, Term) and "next" in c.data for c in state.chunks[since : state.k])
+    return own and then and state.chunks[since - 1].value != "to"
 
 
 def _in_the_past(event: Event, state: State) -> bool:
