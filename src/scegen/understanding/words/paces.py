@@ -101,9 +101,10 @@ def _ends_place(tokens: list[Token], k: int, i: int) -> bool:
 
 
 def doing(tokens: list[Token], i: int) -> bool:
-    """Whether a verb of motion stands right before, as in "doing about 50"."""
+    """Whether a verb of motion stands right before: "doing about 50", "rolls up with 30"."""
     k = _led_by(tokens, i)
-    return k >= 0 and tokens[k].base in word_list("pacing")
+    verbs = tokens[max(0, k - _BESIDE) : k] if tokens[k].low == "with" else tokens[k : k + 1]
+    return any(t.base in word_list("pacing") for t in verbs)
 
 
 def _led_by(tokens: list[Token], i: int) -> int:
