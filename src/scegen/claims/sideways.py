@@ -15,7 +15,7 @@ LEAVES_M, HELD_M = 0.01, 0.001
 """Who is so far from its line has left it; the moment is when it was last so near."""
 ASIDE_MPS = 0.05
 """Who goes sideways faster than this is on its way to there."""
-_GOES_ON_S = 0.4
+_GOES_ON_S = 0.8
 
 
 def sideways_begin(told: Told, act: Act, view: View) -> Ints:

@@ -17,6 +17,7 @@ from scegen.claims.view import View
 from scegen.measures.nearest import least_gap_m
 from scegen.motion.batch.arrays import Bools
 from scegen.scenario.logical import Assignment, ConflictKind, Crossing, Drive, Heading, Walking
+from scegen.scenario.roadway import Carriageway
 from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import HazardKind, JunctionKind, Maneuver, Side
 
@@ -81,7 +82,9 @@ def _driven(told: Told, drive: Drive) -> Iterator[Claim]:
     lanes = tuple(sorted(person.lanes)) if drive.lane is None else (drive.lane,)
     if person.lanes:
         does = f"{name} starts in lane {either([str(lane) for lane in lanes])}"
-        yield _claim(ClaimKind.LANE, name, does, drive, "lanes", partial(_lane, drive, lanes))
+        divided = told.functional.junction.carriageway is not Carriageway.UNDIVIDED
+        side = -1.0 if divided and name in _astray(told) else 1.0  # nobody crosses a median
+        yield _claim(ClaimKind.LANE, name, does, drive, "lanes", partial(_lane, drive, lanes, side))
     if drive.beside is not None:
         on = f" on its {drive.beside_on}" if drive.beside_on else ""
         does = f"{name} is in the lane beside {drive.beside}{on} at the start"
@@ -128,12 +131,17 @@ def _beside_the_lanes(other: Assignment) -> Iterator[Claim]:
         yield _claim(ClaimKind.EXIT, name, does, other, "maneuvers", test)
 
 
+def _astray(told: Told) -> set[str]:
+    """Who is said to drive on the wrong side."""
+    return {n for h in told.hazards if h.kind is HazardKind.ONCOMING_LANE for n in h.by}
+
+
 def _off_its_side(told: Told, drive: Drive) -> bool:
     """Whether it may be on the wrong side of the road.
 
     It is said to drive there, or one of two who face each other in one line is, and not which.
     """
-    wrong = {n for h in told.hazards if h.kind is HazardKind.ONCOMING_LANE for n in h.by}
+    wrong = _astray(told)
     others = {d.participant for d in told.logical.drives if d.entry != drive.entry} - wrong
     name = drive.participant
     return name in wrong or any(
@@ -214,10 +222,11 @@ def _is_held_up(told: Told, name: str, view: View) -> Bools:
     return touched(told, view, name) | stands
 
 
-def _lane(drive: Drive, lanes: tuple[int, ...], view: View) -> Judged:
+def _lane(drive: Drive, lanes: tuple[int, ...], side: float, view: View) -> Judged:
+    """Counted from the middle of the road, on its own ``side`` (1) or on the other (-1)."""
     arm = arms_of(view)[drive.entry]
     box = box_at(view, drive.participant, 0)
-    offset = arm.place(box)[1]
+    offset = side * arm.place(box)[1]
     off = np.min([np.abs(offset - arm.lane_in_m(number)) for number in lanes], axis=0)
     return Judged(arm.lane_width_m / 2 - off, off, np.zeros(view.count))
 

@@ -19,7 +19,7 @@ from scegen.concretization.along.placing import place_all
 from scegen.concretization.along.reactions import react, traffic_of
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.sideways import offset_all
-from scegen.concretization.along.story import Story
+from scegen.concretization.along.story import FIRST_ACT_S, Story
 from scegen.concretization.along.straying import come_back
 from scegen.concretization.along.telling import story_of
 from scegen.concretization.along.writing import (
@@ -31,6 +31,7 @@ from scegen.concretization.along.writing import (
 )
 from scegen.concretization.answering import note_answers
 from scegen.concretization.boxes import apart
+from scegen.concretization.limits import LEAD_IN_S
 from scegen.concretization.occluders import hide
 from scegen.concretization.roads import plan
 from scegen.concretization.things import made_of, shape_of
@@ -49,6 +50,7 @@ from scegen.scenario.road_parameters import RoadParameters
 from scegen.scenario.vocabulary import HazardKind, JunctionKind
 
 _WIDER = (1.0, 1.3, 1.7, 2.2, 3.0)
+_FIRST_ACTS_S = (FIRST_ACT_S, FIRST_ACT_S / 2, LEAD_IN_S)
 _LATER_S, _LATEST_S = 8.0, 80.0
 _LOOK_S, _NEARER_M = 0.1, 0.05
 _AFTER_S = 3.0
@@ -90,6 +92,19 @@ def lay(story: Story) -> None:
         react(story)
         if not goes_wrong(traffic_of(story)):
             break
+
+
+def _laid(functional: FunctionalScenario, logical: LogicalScenario) -> Story:
+    """The story, with what happens first so early that everybody begins where it is said to be."""
+    usual: Story | None = None
+    for first_act_s in _FIRST_ACTS_S:
+        story = story_of(functional, logical)
+        story.first_act_s = first_act_s
+        lay(story)
+        if story.in_order():
+            return story
+        usual = usual or story
+    return usual or story
 
 
 def closest_s(story: Story, at_least_s: float) -> float:
@@ -144,9 +159,8 @@ def compose_along(
     Raises:
         MotionInfeasibleError: what is said of lanes, places and times cannot all be had.
     """
-    story = story_of(functional, logical)
+    story = _laid(functional, logical)
     story.seed = seed
-    lay(story)
     park(story)
     closest = closest_s(story, max(ends_s(story), passes_s(story)))
     lasts = min(closest + _AFTER_S, _LONGEST_S)

@@ -20,8 +20,8 @@ from scegen.concretization.tale import outward
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.batch.arrays import Bools
 from scegen.motion.model import Array
-from scegen.scenario.acts import GAINING, Act, ActKind
-from scegen.scenario.spacings import LENGTHWISE, Measure
+from scegen.scenario.acts import GAINING, Act, ActKind, WhenMeasure
+from scegen.scenario.spacings import LENGTHWISE, Measure, Spacing
 from scegen.scenario.vocabulary import HazardKind, Maneuver
 
 _CLEAR_M, _CLEAR_HURRYING_M = 6.0, 1.0
@@ -107,7 +107,7 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     back = _back(story, act, slow)
     stays = all(each.lane != fast.lane or _makes_room(story, act, each) for each in line)
     aside = story.between(fast.id, slow.id, Measure.LATERAL_GAP_M)
-    said_m = _said_m(story, back)
+    said_m = _said_m(story, back, foremost)
     usual_m = _CLEAR_HURRYING_M if hurries else _CLEAR_M
     clear_m = said_m or (0.0 if stays and back is None else usual_m)
 
@@ -149,10 +149,14 @@ def _makes_room(story: Story, act: Act, slow: Runner) -> bool:
     return any(a.side is not side for a in story.acts_of(slow.id, {ActKind.CHANGE_LANE}))
 
 
-def _said_m(story: Story, back: Act | None) -> float | None:
-    """How far ahead of somebody one is said to be when it comes back."""
-    gaps = (s for s in story.functional.spacings if s.measure is Measure.GAP_M)
-    return next((s.value.middle for s in gaps if back is not None and s.at == back.id), None)
+def _said_m(story: Story, back: Act | None, passed: Runner) -> float | None:
+    """How far ahead of whom it has passed one is said to be when it comes back."""
+    if back is None:
+        return None
+    told: list[Spacing | WhenMeasure] = [s for s in story.functional.spacings if s.at == back.id]
+    told += [back.when] if isinstance(back.when, WhenMeasure) else []
+    metres = {Measure.GAP_M: 1.0, Measure.HEADWAY_S: passed.speed_mps}
+    return next((t.value.middle * metres[t.measure] for t in told if t.measure in metres), None)
 
 
 def _back(story: Story, act: Act, passed: Runner) -> Act | None:

@@ -11,7 +11,7 @@ from scegen.concretization.along.frame import GAINS_MPS2, LOSES_MPS2, ON_RAMP_S,
 from scegen.concretization.along.parked import door_before, opening_s
 from scegen.concretization.along.runner import Move, Runner
 from scegen.concretization.along.spacing import JUST_M, first_s, is_level
-from scegen.concretization.along.story import FIRST_ACT_S, Story
+from scegen.concretization.along.story import Story
 from scegen.concretization.amounts import change_of_speed, goes_on_when_free, lasting_s
 from scegen.concretization.boxes import missing_m
 from scegen.concretization.limits import ABRUPT_LANE_CHANGE_S, HOLDS_S, LANE_CHANGE_S, REACTION_S
@@ -115,7 +115,7 @@ def _moment_s(story: Story, act: Act, *, placed: bool) -> float:
     if own:
         return max(own) + HOLDS_S
     by_ramp = story.merging - story.joined
-    first_s = FIRST_ACT_S + (ON_RAMP_S if act.participant in by_ramp else 0.0)
+    first_s = story.first_act_s + (ON_RAMP_S if act.participant in by_ramp else 0.0)
     told = [a for a in story.acts[: story.acts.index(act)] if a.id in story.begins_s]
     # Who goes aside for one that comes into its lane does so when that one is there.
     gives_way = act.kind in LEAVING
@@ -215,7 +215,8 @@ def _sideways(story: Story, act: Act, runner: Runner, begins_s: float) -> list[M
     if lane == 0 and story.innermost and into.forward != runner.forward:
         # Nobody crosses a median: who is on the wrong side has been there from the start.
         inner = outward(story.functional, Side.LEFT)
-        runner.lane, runner.offset_m = 0, -inner * (into.lane - 1) * runner.lane_width_m
+        there = min(story.functional.participant(runner.id).lanes, default=into.lane)
+        runner.lane, runner.offset_m = 0, -inner * (there - 1) * runner.lane_width_m
         return [Move(begins_s, LANE_CHANGE_S, 0, runner.offset_m, act.id, hazard)]
     width = max(abs(lane - now), 1) * runner.lane_width_m
     usual = ABRUPT_LANE_CHANGE_S if hazard in _ABRUPT else LANE_CHANGE_S

@@ -15,7 +15,7 @@ from scegen.concretization.along.spacing import (
     level,
     place,
 )
-from scegen.concretization.along.story import FIRST_ACT_S, Story
+from scegen.concretization.along.story import Story
 from scegen.concretization.limits import HOLDS_S, LANE_CHANGE_S, TAILGATING_HEADWAY_S
 from scegen.concretization.profile import NEVER_S
 from scegen.concretization.tale import at_odds
@@ -103,7 +103,9 @@ def _said(story: Story, at: str | None = None) -> Iterator[GapAt]:
             continue
         known = pair <= story.runners.keys() and spacing.measure in LENGTHWISE
         if known and spacing.at != CONTACT and spacing.at not in back:
-            time_s = 0.0 if spacing.at == START else story.begins_s.get(spacing.at, FIRST_ACT_S)
+            time_s = (
+                0.0 if spacing.at == START else story.begins_s.get(spacing.at, story.first_act_s)
+            )
             if spacing.since == "end":
                 time_s = _ends_s(story, story.act(spacing.at), pair, time_s)
             yield _gap_at(story, spacing, time_s, spacing.at, spacing.since)
@@ -177,7 +179,7 @@ def _place_as_usual(story: Story, name: str, order: dict[str, int], wider: float
     kind = _usual(story, front, back, wider)
     if kind is None:
         moves = [m.begins_s for m in (*runner.moves, *other.moves)]
-        runner.at_m = level(runner, other, min(moves, default=FIRST_ACT_S))
+        runner.at_m = level(runner, other, min(moves, default=story.first_act_s))
         return
     place(GapAt(runner, other, *kind, ahead=runner is front))
 
@@ -229,7 +231,7 @@ def _usual(
         names = front.id, back.id
         words = (words_between(story.functional, *each) for each in (names, names[::-1]))
         diagonal = frozenset().union(*words) & {Approach.AHEAD, Approach.BEHIND}
-        return (Measure.HEADWAY_S, 1.0, FIRST_ACT_S) if diagonal else None
+        return (Measure.HEADWAY_S, 1.0, story.first_act_s) if diagonal else None
     if front.stands and back.speed_mps > 0 and back.speed_at_mps(_AT_REST_S) == 0.0:
         return Measure.GAP_M, _STOPS_BEFORE_M, _AT_REST_S
     if front.speed_mps < back.speed_mps - _SLOWER_MPS:

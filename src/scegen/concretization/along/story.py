@@ -15,7 +15,14 @@ from scegen.scenario.bodies import Body
 from scegen.scenario.logical import Drive, Rule, Standing
 from scegen.scenario.roadway import BAYS, Carriageway
 from scegen.scenario.things import Thing
-from scegen.scenario.vocabulary import DrivingSide, HazardKind, Maneuver, ParticipantKind, Side
+from scegen.scenario.vocabulary import (
+    Approach,
+    DrivingSide,
+    HazardKind,
+    Maneuver,
+    ParticipantKind,
+    Side,
+)
 
 FIRST_ACT_S = 4.0
 """Undisturbed driving before the first act whose moment nobody says."""
@@ -35,6 +42,7 @@ class Story(Tale):
     things: dict[str, Thing] = field(default_factory=dict)
     begins_s: dict[str, float] = field(default_factory=dict)
     ends_s: dict[str, float] = field(default_factory=dict)
+    first_act_s: float = FIRST_ACT_S
     seed: int = 0
 
     def made(
@@ -136,6 +144,23 @@ class Story(Tale):
         ranks |= {name: far for name in self.things if self.lies_behind(name)}
         met = {n for n, r in self.runners.items() if r.stands and ranks[n] < ranks[self.ego.id]}
         return {name: rank - far * (name in met) for name, rank in ranks.items()}
+
+    def in_order(self) -> bool:
+        """Whether those who are said to be ahead of, or behind, others are so at the start."""
+        for who, of, words in self.functional.sayings:
+            one, other = self.runners.get(who), self.runners.get(of)
+            if one is None or other is None or one.forward != other.forward:
+                continue
+            free_m = abs(one.x_m(0.0) - other.x_m(0.0))
+            ahead = (one.x_m(0.0) - other.x_m(0.0)) * one.sign > 0.0
+            front, back = (one, other) if ahead else (other, one)
+            along = words & {Approach.AHEAD, Approach.BEHIND}
+            at_first = {Approach.AHEAD if ahead else Approach.BEHIND}
+            if free_m < front.body.rear_m + back.body.front_m:
+                at_first = set()
+            if len(along) == 1 and along != at_first:
+                return False
+        return True
 
     def lies_behind(self, name: str) -> bool:
         """Whether it is a thing in the way of one who reverses."""

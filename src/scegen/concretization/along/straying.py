@@ -12,6 +12,8 @@ from scegen.concretization.along.story import Story
 from scegen.concretization.amounts import BRAKING
 from scegen.concretization.profile import NEVER_S
 from scegen.concretization.tale import at_odds
+from scegen.scenario.acts import WhenMeasure
+from scegen.scenario.spacings import Spacing
 
 _LONG_BACK_S = 2.5
 _CLEAR_BEFORE_S, _CLEAR_AFTER = 0.9, 0.6
@@ -60,7 +62,9 @@ def _meet_after(story: Story) -> None:
 
     Those whose place the text gives stay where they are.
     """
-    said = {n for s in story.functional.spacings for n in (s.participant, s.reference)}
+    told: list[Spacing | WhenMeasure] = list(story.functional.spacings)
+    told += [act.when for act in story.acts if isinstance(act.when, WhenMeasure)]
+    said = {name for each in told for name in (each.participant, each.reference)}
     # The ego's own straying counts more than what others do towards it.
     for stray in sorted(story.runners.values(), key=lambda r: r is story.ego):
         half_m, inward = stray.body.width_m / 2, copysign(1.0, stray.lane_y_m(1))

@@ -114,9 +114,12 @@ def _closing(functional: FunctionalScenario) -> Iterator[tuple[str, str]]:
     comes into its lane so far ahead.
     """
     slowing: set[str] = set()
+    passed: set[str] = set()
     holds = {s.participant for s in functional.spacings if s.at == START}
     comes_in: set[tuple[str, str]] = set()
     for at, act in ((START, None), *((a.id, a) for a in functional.acts)):
+        if act is not None and act.participant in passed:
+            continue  # it is ahead by having been faster
         told: list[Spacing | WhenMeasure] = [s for s in functional.spacings if s.at == at]
         told += [act.when] if act is not None and isinstance(act.when, WhenMeasure) else []
         for each in (t for t in told if t.measure in LENGTHWISE):
@@ -130,6 +133,8 @@ def _closing(functional: FunctionalScenario) -> Iterator[tuple[str, str]]:
                 comes_in.add((back, front))
         if act is not None and act.kind in SLOWING:
             slowing.add(act.participant)
+        if act is not None and act.kind is ActKind.OVERTAKE:
+            passed.add(act.participant)
     outcome = functional.outcome
     near = outcome.between if outcome and outcome.kind is not OutcomeKind.AVOIDED else ()
     for back, front in permutations(near, 2):

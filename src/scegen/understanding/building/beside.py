@@ -204,7 +204,8 @@ def in_one_lane(draft: Draft, happenings: Happenings) -> None:
 def from_the_strip(draft: Draft, ego: Entity) -> None:
     """On a straight road, who was parked and sets off is parked at first and pulls out."""
     for entity in draft.entities:
-        if entity is ego or entity.was_parked is None or not entity.is_vehicle:
+        crosses = entity.kind is ParticipantKind.BICYCLE and Maneuver.CROSS in entity.maneuvers
+        if entity is ego or entity.was_parked is None or not entity.is_vehicle or crosses:
             continue
         entity.parked, entity.parked_basis = True, entity.was_parked
         entity.maneuvers -= {Maneuver.STAY, Maneuver.CROSS}

@@ -220,7 +220,7 @@ def _past_an_aside(event: Event, state: State) -> Mention | None:
     So does the van in "a van ahead of us, both doing 60 km/h, brakes".
     """
     one = state.candidate
-    single = event.form == "s" and one is not None and one.pronoun == "both"
+    single = event.form == "s" and one is not None and one.pronoun in {"both", "all"}
     several = event.form == "base" and not auxiliary(state)
     if one is None or one.heads or one.pronoun is None or not (single or several):
         return None
