@@ -33,7 +33,8 @@ SENTENCES = (
     "The ego drives at 70 km/h. A lorry at 80 km/h in the right lane, 10 m ahead, cuts in.",
     "A van overtakes the ego on the left and cuts in when it is 8 m ahead of the ego.",
     "A car at 120 km/h overtakes the ego, at 100 km/h, and cuts in with a headway of 0.6 s.",
-    "The ego is in the left lane of a motorway; a wrong-way driver in the left lane hits it.",
+    "A wrong-way driver comes towards the ego in the left lane of a motorway; the ego drives in "
+    "the left lane and collides with it.",
     "The ego reverses at 4 km/h and hits a box behind it.",
     "A car runs a red light.",
     "The ego ignores the stop sign and goes straight.",
