@@ -19,6 +19,8 @@ _ITEM = re.compile(
 _BREAK = re.compile(r"[^\S\n]*\n\s*")
 _ENTRY = re.compile(r"[^\n.,;:!?]{1,40}(?:[:|]|\.{3})")
 _KEYS = re.compile(r"(?<=:)[^\n;:!?]*(,)\s*([^\n.,;:!?]{1,40})(?=:)")
+_CELL = re.compile(r"(?P<name>(?<![^|\n])[^|\n\d:]*\|(?=\s*\d))|\|")
+"""``ego 50 km/h | van brakes``: a bar ends an entry, but not a name in front of its number."""
 _WORD = re.compile(r"[^\W\d_]+")
 _LEADERS = re.compile(r"(?<=\s)\.{3,}(?=\s)|(?<=\S)\s*\.{4,}")
 _BULLETS = frozenset("-*•–")
@@ -45,7 +47,7 @@ def laid_out(text: str) -> dict[int, str]:
         if mark.start() not in found:
             titled = _titled(text, mark.start(), lonely=len(between) == 1)
             found[mark.start()] = ":" if titled else ","
-    found |= dict.fromkeys(_bars(text), ".")
+    found |= {m.end() - 1: "" if m["name"] else "." for m in _CELL.finditer(text)}
     for dots in _LEADERS.finditer(text):  # "VUT ....... 70 km/h"
         found |= dict.fromkeys(range(dots.start(), dots.end()), "") | {dots.end() - 1: ":"}
     if ":" in text:
@@ -64,12 +66,6 @@ def laid_out(text: str) -> dict[int, str]:
         elif line.start() and text[line.start() - 1] not in _ENDED and _apart(text, line):
             found[at] = ":" if _titled(text, at, lonely=True) else "."
     return found
-
-
-def _bars(text: str) -> list[int]:
-    """``Ego: 50 km/h | lead: 30 km/h``: where entries end; the other bars say nothing."""
-    lines = re.finditer(r"[^\n]*:[^\n]*", text)
-    return [m.start() for line in lines for m in re.finditer(r"\|", line.group())]
 
 
 def _is_name(words: str) -> bool:
