@@ -19,8 +19,6 @@ def just_right(tokens: list[Token], i: int, previous: Term) -> bool:
     after = low_at(tokens, i + 1)
     located = begins(tokens, i + 1, "locus") or after == "across"
     located = located or (after in word_list("particles") and previous.cat == "verb")
-    whom = low_at(tokens, i + 2) in {"me", "us", "him", "her", "them", "it"}
-    located = located or (after == "at" and whom)
     return located and not previous.value.endswith("turn")
 
 

@@ -143,6 +143,8 @@ def longest_match(tokens: list[Token], i: int, end: int | None = None) -> Match 
                     reached.append((following[base], inflection if form == "base" else form))
             if "~" in following and token.low in word_list("whose"):
                 reached.append((following["~"], form))
+        if token.low == "own" and tokens[j - 2].low in word_list("whose"):
+            reached += states  # "applies its own brakes"
         states, ended = reached, _ending(reached)
         if ended is not None:
             shorter, (best, best_j) = (best, best_j), (ended, j)
