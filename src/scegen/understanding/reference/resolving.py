@@ -15,7 +15,7 @@ from scegen.understanding.reference.describing import describe
 from scegen.understanding.reference.discourse import resolve
 from scegen.understanding.reference.egos import cast_both, rank, the_teller
 from scegen.understanding.reference.generic import mark_generic
-from scegen.understanding.reference.mention_words import is_pronoun
+from scegen.understanding.reference.mention_words import is_pronoun, tells
 from scegen.understanding.reference.own_vehicles import is_apart, teller_goes_by
 from scegen.understanding.reference.roster import Roster
 from scegen.understanding.words.terms import NOTHING
@@ -62,8 +62,9 @@ def resolve_mentions(chunks: list[Chunk], events: list[Event], roster: Roster) -
         for earlier in waiting:
             _resolve(earlier, roster, bonds)
         waiting = []
-    for earlier in (*waiting, *early):
-        _resolve(earlier, roster, bonds)
+    unnamed = [m for e in events for m in e.subject if tells(m) and not m.entities]  # "my tail"
+    for mention in (*waiting, *early, *unnamed):
+        _resolve(mention, roster, bonds)
 
 
 def _told_by_somebody(chunk: Chunk, roster: Roster) -> None:
