@@ -152,6 +152,8 @@ def only_a_noun_follows(word: Term, k: int, chunks: list[Chunk]) -> bool:
         return isinstance(following, Mention)  # "in the same direction as the ego"
     if (word.cat, word.value) != ("sub", "before") or not isinstance(following, Mention):
         return False
+    if (place.cat, place.value) == ("quantity", "length"):
+        return True  # "50 m before it"
     for m, chunk in enumerate(chunks[k + 2 :], start=k + 3):
         if isinstance(chunk, Event) or chunk.cat in {"aux", "copy"}:
             return False
