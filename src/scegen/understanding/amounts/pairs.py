@@ -126,10 +126,17 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
 
 
 def _brought_in(figure: Figure) -> list[list[Entity]]:
-    """``overtakes it with a van 150 m away``: who comes in right before the number."""
+    """``overtakes it with a van 150 m away``: who comes in right before the number.
+
+    So is whom a clause is about, as in "while a van is 150 m away".
+    """
     near = (m for m in figure.text.mentions if m.j == figure.i and m.stands_after("with"))
-    ego = figure.text.ego
-    return [[e, ego] for m in near for e in m.entities[:1] if e is not ego]
+    ego, scene = figure.text.ego, figure.scene
+    acting = [ego, *figure.actors, *(scene.targets if scene is not None else [])]
+    aside = [e for e in figure.subject if e is figure.said_of and e not in acting]
+    return [[e, ego] for m in near for e in m.entities[:1] if e is not ego] or [
+        [e, ego] for e in aside
+    ]
 
 
 def two_between(figure: Figure) -> list[list[Entity]]:

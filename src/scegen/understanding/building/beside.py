@@ -230,6 +230,11 @@ def abreast(draft: Draft, ego: Entity) -> None:
                 entity.maneuvers, entity.maneuver_basis = {Maneuver.CROSS}, basis
                 draft.hazard(HazardKind.CROSSING_CYCLIST, basis, [entity])
             continue
+        passed = any(entity in d.to for d in draft.dangers if ego in d.by)
+        if entity.kind is ParticipantKind.BICYCLE and seen == {Approach(draft.kerb)} and passed:
+            reason = "a cyclist who is overtaken rides ahead, at the kerb"
+            entity.comes_from({Approach.AHEAD}, basis.because(reason))
+            continue
         basis = basis.because("on a straight road, who is at one's side drives in the next lane")
         entity.beside = entity.beside or (next(iter(seen)).value, basis)
         entity.comes_from({Approach.ADJACENT}, basis)

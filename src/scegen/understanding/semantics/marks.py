@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TypeAlias
 
 from scegen.scenario.model import Interval
-from scegen.scenario.vocabulary import Approach, Maneuver
+from scegen.scenario.vocabulary import Approach, Maneuver, ParticipantKind
 from scegen.understanding.chunks import Mention, Prep, Thing
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.lexicon import word_list
@@ -178,7 +178,13 @@ def _who_is_passed(clause: Clause, context: Context) -> None:
     leaders = dict.fromkeys(p.entity for p in seen if p.approaches == {Approach.AHEAD})
     one = [e for e in leaders if e.moving_vehicle and e not in clause.actors]
     if not one and event.name == "overtake" and not context.junction.crossing:
-        elsewhere = [p.entity for p in seen if Approach.AHEAD not in p.approaches]
+        kerb = {Approach(context.draft.kerb)}  # a cyclist may ride there, and is ahead
+        elsewhere = [
+            p.entity
+            for p in seen
+            if Approach.AHEAD not in p.approaches
+            and not (p.approaches == kerb and p.entity.kind is ParticipantKind.BICYCLE)
+        ]
         others = [e for e in context.draft.entities if e not in (*elsewhere, *clause.actors)]
         one = [e for e in others if _goes_the_same_way(e, event.i)]
     together = len({(e.basis.i, e.basis.j) for e in one}) == 1  # "two cyclists ride …"
