@@ -91,7 +91,7 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     own = {fast.id, *(each.id for each in line)}
     of_them = {s.measure for s in told_now if own >= {s.participant, s.reference}}
     fixed = act.when is not None or not of_them.isdisjoint(LENGTHWISE)
-    at_once = fixed or bool(of_them)
+    at_once = fixed or bool(of_them - {Measure.LATERAL_GAP_M})
     now = story.begins_s[act.id]
     begins = now if fixed else max(FIRST_ACT_S / 2, now - FIRST_ACT_S)
     hurries = bool(told_now) and not at_once  # who comes towards it is so near
@@ -114,8 +114,10 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     def is_clear(times_s: Array) -> Bools:
         return free(fast.track(times_s)[0], foremost.track(times_s)[0]).rear >= clear_m
 
-    if not stays and not at_once and aside is None:
+    if not stays and not at_once:
         reaches = first_s(partial(is_level, fast, slow, JUST_M), begins)
+        if aside is not None:  # so far beside the other as soon as it is there
+            reaches -= lasts
         kept = list(fast.moves)
 
         def put(begins_s: float) -> None:
