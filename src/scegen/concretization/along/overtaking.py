@@ -1,5 +1,6 @@
 """How one passes another: out, past, and back in."""
 
+from dataclasses import replace
 from functools import partial
 from math import pi, sqrt
 
@@ -115,16 +116,8 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
         return free(fast.track(times_s)[0], foremost.track(times_s)[0]).rear >= clear_m
 
     if not stays and not at_once:
-        reaches = first_s(partial(is_level, fast, slow, JUST_M), begins)
-        if aside is not None:  # so far beside the other as soon as it is there
-            reaches -= lasts
-        kept = list(fast.moves)
-
-        def put(begins_s: float) -> None:
-            fast.moves = [*kept, Move(begins_s, lasts, out_lane, offset)]
-
-        latest = just_misses((fast, slow), put, begins, max(reaches, begins))
-        fast.moves = kept
+        out = Move(begins, lasts, out_lane, offset)
+        latest = _latest_s(fast, slow, out, by_then=aside is not None)
         # Who is to be as near as is said when it comes back has come out by then.
         soon = NEVER_S if said_m is None else first_s(is_clear, begins) - lasts
         begins = max(min(latest, soon), begins)
@@ -143,6 +136,20 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     fast.moves = moves
     if back is not None:
         story.begins_s[back.id], story.ends_s[back.id] = clear, clear + lasts
+
+
+def _latest_s(fast: Runner, slow: Runner, out: Move, *, by_then: bool) -> float:
+    """The last moment at which one can pull out and misses the other, or is out ``by_then``."""
+    reaches = first_s(partial(is_level, fast, slow, JUST_M), out.begins_s)
+    kept = list(fast.moves)
+
+    def put(begins_s: float) -> None:
+        fast.moves = [*kept, replace(out, begins_s=begins_s)]
+
+    last = max(reaches - (out.lasts_s if by_then else 0.0), out.begins_s)
+    latest = just_misses((fast, slow), put, out.begins_s, last)
+    fast.moves = kept
+    return latest
 
 
 def _makes_room(story: Story, act: Act, slow: Runner) -> bool:
