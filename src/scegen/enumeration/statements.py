@@ -10,6 +10,7 @@ from clorm import Predicate
 from scegen.enumeration import predicates as p
 from scegen.enumeration.directions import lanes_told
 from scegen.enumeration.on_foot import way_facts, ways_of
+from scegen.scenario.acts import ActKind
 from scegen.scenario.arms import arm_angles_deg, ring_move, seen_from, turn_deg, turn_name
 from scegen.scenario.functional import FunctionalScenario, Participant
 from scegen.scenario.in_line import in_next_lane, words_between
@@ -230,8 +231,8 @@ def _either(words: tuple[int, ...] | list[Maneuver] | list[Approach]) -> str:
 def _backs_square(functional: FunctionalScenario, vehicle: Participant) -> bool:
     """Whether one that backs out goes straight back, as far as the words go.
 
-    It stands beside the lanes, or others come past from a side of it, or at a junction it is said
-    to go straight or to be hit; who is said to turn does that.
+    It stands beside the lanes, or others come past from a side of it, or it stops there, or at a
+    junction it is said to go straight or to be hit; who is said to turn does that.
     """
     name, outcome = vehicle.id, functional.outcome
     if vehicle.maneuvers - {Maneuver.STRAIGHT}:
@@ -241,6 +242,8 @@ def _backs_square(functional: FunctionalScenario, vehicle: Participant) -> bool:
     ):
         return True
     hit = outcome is not None and outcome.kind is OutcomeKind.COLLISION and name in outcome.between
+    own = [act.kind for act in functional.acts if act.participant == name]
+    hit |= own[:2] == [ActKind.REVERSE, ActKind.STOP]
     if functional.junction.kind is JunctionKind.STRAIGHT:
         return hit and bool(vehicle.approaches) and vehicle.approaches <= _ASIDE
     return hit or bool(vehicle.maneuvers)
