@@ -35,6 +35,7 @@ from scegen.understanding.phrases.naming import counted_in, filmed_from, in_brac
 from scegen.understanding.phrases.opening_doors import open_doors
 from scegen.understanding.phrases.repeated import lanes_meant, repeat, which_is_it
 from scegen.understanding.phrases.telegrams import spell_out
+from scegen.understanding.phrases.touching import counted_from
 from scegen.understanding.phrases.which_road import name_roads, name_turned_into
 from scegen.understanding.reference.generic import answer, deny_of_everybody
 from scegen.understanding.reference.own_vehicles import whole_for_part
@@ -57,6 +58,7 @@ MAX_CHARACTERS = 20_000
 """Longer texts are no descriptions of one situation."""
 _ASSUMED_ARMS = 4
 _PUT_RIGHT: tuple[tuple[set[str], Callable[[list[Chunk], list[Token]], list[Chunk]]], ...] = (
+    ({"width", "breadth"}, counted_from),
     ({"lane", "lanes", "ramp", "one"}, lanes_meant),
     ({"behind", "between", "by"}, lambda chunks, _: name_hiders(chunks)),
     (set(), name_roads),

@@ -1,14 +1,17 @@
-"""Parts of bodies that touch, told without a verb: "our front into its tail", "front into it"."""
+"""Parts of bodies that touch, and where: "our front into its tail", "10 % from its right"."""
 
 from __future__ import annotations
 
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing
+from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.doings_named import teller_at
 from scegen.understanding.phrases.lookahead import chunk_at, ends, value_at
 from scegen.understanding.words.terms import Term
+from scegen.understanding.words.tokens import Token
 
 ARTICLES = ("det", "num", "possessive", "quant")
 _BODY = frozenset({"side", "front", "flank", "portion", "middle"})
+_NEAR = 5
 _PACE = frozenset({"quantity", "dir", "manner"})
 
 
@@ -52,3 +55,20 @@ def _of_bodies(chunks: list[Chunk]) -> bool:
     """``the left end of the ego's front``: a part of somebody, and nothing else."""
     parts = [c for c in chunks if not (isinstance(c, Mention) or c.value == "of")]
     return bool(parts) and all(isinstance(c, Place) and c.kind in _BODY for c in parts)
+
+
+def counted_from(chunks: list[Chunk], tokens: list[Token]) -> list[Chunk]:
+    """``10 % of its width, counted from the right``: from there the share is, and nobody comes."""
+    gone: set[int] = set()
+    for k, chunk in enumerate(chunks):
+        if not isinstance(chunk, Thing) or tokens[chunk.j - 1].base not in word_list("extents"):
+            continue
+        share = any(c.value == "percentage" for c in chunks[max(0, k - _NEAR) : k])
+        near = range(k + 1, min(k + _NEAR, len(chunks)) if share else 0)
+        begins = next((n for n in near if value_at(chunks, n) == "from"), None)
+        if begins is None or any(isinstance(c, Event | NounPhrase) for c in chunks[k + 1 : begins]):
+            continue
+        after = range(begins + 1, begins + 3)  # "the ego's right side"
+        place = next((n for n in after if isinstance(chunk_at(chunks, n), Place)), begins)
+        gone.update(range(begins, place + 1))
+    return [c for k, c in enumerate(chunks) if k not in gone]
