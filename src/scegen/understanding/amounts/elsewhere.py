@@ -27,6 +27,8 @@ def of_something_else(figure: Figure) -> bool:
             return False  # "my speed was …"
         opens = chunk.value == "(" or (chunk.cat == "prep" and chunk.value not in {"of", "for"})
         apart = apart or (opens and not foreign)
+        if chunk.value == ":" and apart:
+            return False  # "a first case: at 10 km/h the ego …"
         if chunk.cat == "conj" or chunk.value == "," or (chunk.value == ":" and known | foreign):
             break
         if foreign and opens and not (known or apart):
@@ -34,7 +36,15 @@ def of_something_else(figure: Figure) -> bool:
         noun = _noun(chunk, figure)
         known = known or isinstance(chunk, Thing) or bool(noun & word_list("of_whoever"))
         foreign = foreign or not noun <= word_list("of_whoever") | word_list("fillers")
-    return foreign
+    return foreign and not (apart and _in_a_title(figure))
+
+
+def _in_a_title(figure: Figure) -> bool:
+    """``CCRs at 50 km/h: the ego …``: nothing that has a speed of its own is named."""
+    text = figure.text
+    named = [c for c in text.chunks if figure.start <= c.i < figure.i and _noun(c, figure)]
+    ends = figure.role == "speed" and text.low(figure.j, figure.j + 1) == " : "
+    return ends and all(not text.tokens[c.j - 1].text[1:].islower() for c in named)  # "CCRs"
 
 
 def _noun(chunk: Chunk, figure: Figure) -> set[str]:

@@ -240,6 +240,8 @@ def _opens_with(figure: Figure) -> list[Entity]:
     who = next((m for m in free if start <= m.i < figure.end), None)
     if who is None or any(isinstance(c, Mention | Event) for c in before):
         return []
+    if text.low(figure.j, figure.j + 1) == " : ":
+        return [text.ego]  # "CPLA, 20 km/h: …": a title tells of who is tested
     named = text.low(figure.j, who.i).split()
     if named[:1] == ["is"] and named[-1:] == ["of"] and set(named) & word_list("rates"):
         return list(who.entities)
