@@ -59,6 +59,9 @@ def _together(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[E
     if joined and len(joined) == count and "walks" not in mention.marks:
         return joined  # "a van and a bus drive ahead of the ego; both brake"
     others = [e for e in roster.entities if not e.ego and e not in exclude]
+    afoot = [e for e in others if not e.is_vehicle]
+    if mention.pronoun == "they" and "walks" in mention.marks and afoot and number is None:
+        return afoot  # "a child waits, the ego comes; they walk across": the child
     apart = mention.pronoun == "both" and not any(e.ego for e in roster.before + roster.subject)
     apart |= mention.pronoun == "they" and any("speaks" in e.named_by for e in roster.entities)
     told = mention.pronoun == "they" and any("speaks" in e.named_by for e in roster.subject[:1])
