@@ -187,9 +187,14 @@ def entitle(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> No
         elif inside and _whole_title(doing, title, events):
             after = [e for e in told if not e.nominal and e.i >= title[-1].j]
             who = [] if any(e in after for e in again) else _who(doing, after)
+        titled = doing.nominal and doing.name in _UNSAFE and _opens(doing, chunks)
+        same = next((e for e in again if e.finite and not e.nominal), None)
+        if not who and titled and same is not None:
+            same.mods, same.pps = [*doing.mods, *same.mods], [*doing.pps, *same.pps]
+            events.remove(doing)  # "Cut-out right. The ego follows a van. It leaves its lane."
+            continue
         who = who or (_told_next(doing, title, chunks, events) if inside else [])
-        unsafe = doing.nominal and doing.name in _UNSAFE
-        if not who and unsafe and _opens(doing, chunks):
+        if not who and titled:
             who = _other(doing, told, chunks, tokens)
         if who:
             doing.subject, doing.nominal = who, True

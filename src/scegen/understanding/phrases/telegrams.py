@@ -223,7 +223,7 @@ def _adds_nothing(title: list[Chunk], chunks: list[Chunk], k: int) -> bool:
 def _named_doing(event: Event, chunks: list[Chunk], k: int) -> bool:
     """``Cut-in from the left``, ``Cut-in test: ego 100 km/h``: a doing, as yet of nobody."""
     bare = event.form == "base" and event.name in _NAMED
-    placed = cat_at(chunks, k + 1) in {"prep", "locus", "manner"}
+    placed = cat_at(chunks, k + 1) in {"prep", "locus", "manner", "dir"}
     after = k + 1 + isinstance(chunk_at(chunks, k + 1), Thing)  # "scenario"
     listed = value_at(chunks, after) in {",", ":", "."}  # "Cut-in, ego 100 km/h, target …"
     opens = ends(chunk_at(chunks, k - 1)) or noted(event, k, chunks)
