@@ -139,14 +139,17 @@ def joins(mention: Mention, state: State) -> bool:
     gone = any(m.value in WAYS and m.i >= anchor.j for m in anchor.mods)  # "me straight, and he …"
     waiting = anchor is state.waiting and not (gone and "," in state.between)
     waiting = waiting and not any(anchor in event.subject for event in state.events)
+    since = [c for c in state.chunks[: state.k] if c.i >= anchor.j]
     measured = any(m.cat == "quantity" and m.i >= anchor.j for m in anchor.mods)
-    other = mention.pronoun is None and state.mentions[0] is not anchor
+    later = any(c.cat == "conj" and "next" in c.data for c in since if isinstance(c, Term))
+    verb = next((c for c in state.after(len(state.chunks)) if isinstance(c, Event)), None)
+    later = later and (verb is None or verb.form != "base")  # "… then a bus come towards us"
+    other = later or (mention.pronoun is None and state.mentions[0] is not anchor)
     if measured and "," in state.between and other:
-        return False  # "two cars come, the second one 20 m behind, and the ego brakes"
+        return False  # "ego 60 km/h, then the van ahead brakes"
     if mention.pronoun in {"count", "one", "another"} and "," in state.between:
         return False  # "four vans, two turning left": some of them, not further ones
     said = bool({"aux:be", "aux:have"} & state.between) or state.being is not None
-    since = (c for c in state.chunks[: state.k] if c.i >= anchor.j)
     said = said or any((c.cat, c.value) == ("aux", "be") for c in since)
     told = state.verb_follows or state.at(1).value == "be"
     complete = said and told  # "I'm here and a van …", "and a van is behind it"
