@@ -23,7 +23,7 @@ from scegen.motion.batch.arrays import Bools
 from scegen.motion.model import Array
 from scegen.scenario.acts import GAINING, Act, ActKind, WhenMeasure
 from scegen.scenario.spacings import LENGTHWISE, Measure, Spacing
-from scegen.scenario.vocabulary import HazardKind, Maneuver
+from scegen.scenario.vocabulary import HazardKind, Maneuver, Side
 
 _CLEAR_M, _CLEAR_HURRYING_M = 6.0, 1.0
 _FASTER_MPS, _HARDLY_MPS = 6.0, 1.5
@@ -204,8 +204,8 @@ def _beside_lane(story: Story, act: Act, fast: Runner, slow: Runner) -> tuple[in
     said = story.between(fast.id, slow.id, Measure.LATERAL_GAP_M)
     if said is not None:
         apart = said.value.middle + (fast.body.width_m + slow.body.width_m) / 2
-        kerb = -1 if not fast.keeps_left else 1
-        wanted = slow.y_m(0.0) - kerb * fast.sign * apart
+        leftwards = 1 if (act.side or story.inwards) is Side.LEFT else -1
+        wanted = slow.y_m(0.0) + leftwards * fast.sign * apart
         return fast.lane, fast.sign * (wanted - fast.y_m(0.0)) + fast.offset_m
     if act.side is not None:
         return max(0, fast.lane + outward(story.functional, act.side)), 0.0

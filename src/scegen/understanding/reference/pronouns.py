@@ -52,6 +52,10 @@ def of_pronoun(
 
 def _together(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Entity]:
     """``they``; ``the lead car slows down; both drive 100 km/h``: all who are meant."""
+    before = roster.tokens[max(mention.i - 1, 0)].low
+    if mention.pronoun == "both" and before in word_list("first_person"):
+        near = [e for e in roster.recent if not e.ego]
+        return [e for e in roster.entities if e.ego] + near[-1:]  # "us and the van. We both do …"
     number = mention.mod("num")
     joined = roster.joined if roster.subject == roster.joined[-len(roster.subject) :] else []
     count = _TWO if mention.pronoun == "both" else len(joined)
