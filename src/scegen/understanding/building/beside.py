@@ -208,7 +208,7 @@ def from_the_strip(draft: Draft, ego: Entity) -> None:
         if entity is ego or entity.was_parked is None or not entity.is_vehicle or crosses:
             continue
         entity.parked, entity.parked_basis = True, entity.was_parked
-        entity.maneuvers -= {Maneuver.STAY, Maneuver.CROSS}
+        entity.maneuvers -= {Maneuver.STAY, Maneuver.CROSS, Maneuver.OVERTAKE}
         if not entity.maneuvers:
             entity.maneuver_basis = entity.was_parked.because("it pulls out and drives on")
             entity.maneuvers = {Maneuver.STRAIGHT}
