@@ -83,7 +83,9 @@ def _ends_up(figure: Figure) -> bool:
 def at_rest(figure: Figure) -> bool:
     """``stops 3 m behind the truck``: how far apart they are once it stands."""
     pair, text = pair_of(figure), figure.text
-    stops = [a for a in text.acts(figure.start, figure.i) if a.entity in (pair or ())[:1]]
+    begin = figure.start if text.acts(figure.start, figure.i) else 0  # "…; 1 m is left"
+    who = {pair[0], text.in_file(*pair)[0]} if pair is not None else {}  # "… between the two"
+    stops = [a for a in text.acts(begin, figure.i) if a.entity in who]
     stops = [a for a in stops if a.always and a.ends_at_rest]  # "must stop 2 m before": it shall
     if pair is None or not stops:
         return False

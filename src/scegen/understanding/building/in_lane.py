@@ -18,7 +18,7 @@ from scegen.scenario.vocabulary import (
 from scegen.understanding.building.viewpoint import Placed
 from scegen.understanding.draft import Draft
 from scegen.understanding.entity import Basis, Entity
-from scegen.understanding.happenings import Happenings
+from scegen.understanding.happenings import Doing, Happenings
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.road.lengthwise import Lengthwise
 from scegen.understanding.road.surroundings import Surroundings
@@ -42,6 +42,7 @@ def settle_along(draft: Draft, ego: Entity, happenings: Happenings) -> None:
     brakes = ego in draft.causing(*_BRAKING)
     aside = any(a.entity is ego and a.kind in _ASIDE and a.side for a in happenings.acts)
     overtaken = [d.to for d in draft.dangers if d.kind is HazardKind.OVERTAKING and ego in d.by]
+    _stood_before(ego, draft, happenings)
     for entity in draft.entities:
         if entity is ego:
             continue
@@ -58,6 +59,20 @@ def settle_along(draft: Draft, ego: Entity, happenings: Happenings) -> None:
             entity.comes_from({Approach.AHEAD, *either}, entity.in_egos_lane)
         if not entity.is_vehicle:
             _afoot(entity, alone=alone)
+
+
+def _stood_before(ego: Entity, draft: Draft, happenings: Happenings) -> None:
+    """``stops 2 m behind a van``: of which nothing else is told, so it stands there."""
+    told = {*draft.causing(), *(act.entity for act in happenings.acts)}
+    for apart in happenings.spacings:
+        pair, stops = (apart.entity, apart.reference), apart.at
+        at_rest = apart.since == "end" and isinstance(stops, Doing) and stops.ends_at_rest
+        for other in pair if at_rest and ego in pair and ego in told else ():
+            known = not isinstance(other, Entity) or other in told or other.speed is not None
+            drives = known or not other.moving_vehicle or other.maneuvers or "moves" in other.told
+            if not drives and not other.heading and other.approaches <= {Approach.AHEAD}:
+                basis = apart.amount.basis.because("nothing says that it drives: it stands there")
+                other.stands = other.stands or basis
 
 
 def _afoot(entity: Entity, *, alone: bool) -> None:
