@@ -119,7 +119,7 @@ def kept_apart(text: Telling) -> None:
         kept = told or apart.measure is Measure.HEADWAY_S
         kept = kept and not any(e in slow or e.maneuvers - {Maneuver.STRAIGHT} for e in pair)
         if isinstance(apart.at, Doing):
-            kept = apart.at.kind in {ActKind.BRAKE, ActKind.STOP}
+            kept = apart.at.kind in {ActKind.BRAKE, ActKind.STOP} and apart.since == "begin"
         if apart.measure in {Measure.GAP_M, Measure.HEADWAY_S} and kept:
             _share(pair, apart.amount.basis, "as long as the distance is kept")
 
