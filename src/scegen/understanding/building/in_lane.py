@@ -67,10 +67,14 @@ def _stood_before(ego: Entity, draft: Draft, happenings: Happenings) -> None:
     for apart in happenings.spacings:
         pair, stops = (apart.entity, apart.reference), apart.at
         at_rest = apart.since == "end" and isinstance(stops, Doing) and stops.ends_at_rest
-        for other in pair if at_rest and ego in pair and ego in told else ():
-            known = not isinstance(other, Entity) or other in told or other.speed is not None
-            drives = known or not other.moving_vehicle or other.maneuvers or "moves" in other.told
-            if not drives and not other.heading and other.approaches <= {Approach.AHEAD}:
+        others = [e for e in pair if isinstance(e, Entity) and e not in told and e.speed is None]
+        for other in others if at_rest and ego in pair and ego in told else ():
+            free = other.moving_vehicle and not (other.maneuvers or other.heading)
+            if (
+                free
+                and not {"moves", "followed"} & other.told.keys()
+                and other.approaches <= {Approach.AHEAD}
+            ):
                 basis = apart.amount.basis.because("nothing says that it drives: it stands there")
                 other.stands = other.stands or basis
 

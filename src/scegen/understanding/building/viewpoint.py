@@ -86,7 +86,7 @@ def _in_a_lane_there(
     turns = bool(ego.maneuvers & {Maneuver.LEFT, Maneuver.RIGHT})
     crosses = Maneuver.CROSS in entity.maneuvers
     stands = entity.still or "from_kerb" in draft.implied
-    if turns or crosses or stands or not entity.is_vehicle or not seen < _ASIDE:
+    if turns or crosses or stands or not entity.is_vehicle or not set() < seen < _ASIDE:
         return seen
     told = (p for p in draft.placements_of(entity) if p.reference in (None, ego))
     said = (p for p in told if p.approaches <= _ALONG and not p.basis.reason)
