@@ -36,6 +36,7 @@ SENTENCES = (
     "A wrong-way driver comes towards the ego in the left lane of a motorway; the ego drives in "
     "the left lane and collides with it.",
     "The ego reverses at 4 km/h and hits a box behind it.",
+    "A truck ahead of the ego hides a stationary car and changes to the left lane.",
     "A car backs out of a driveway on the left and stops in the ego's lane.",
     "The ego, at 70 km/h, overtakes a cyclist at 20 km/h at a lateral distance of 1.5 m while an "
     "oncoming car at 80 km/h is 150 m away.",

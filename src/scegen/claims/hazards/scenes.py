@@ -22,10 +22,11 @@ def judged_pairs(concrete: ConcreteScenario) -> list[Pair]:
 def occlusions(concrete: ConcreteScenario) -> list[tuple[str, str, str]]:
     """(observer, target, occluder) of the dangers of occlusion.
 
-    Who is hidden is who endangers the observer, or is endangered by it, otherwise; if nobody is,
-    everybody who moves.
+    Who is hidden is who endangers the observer, or is endangered by it, otherwise, and moves, if
+    anybody does; if nobody is, everybody who moves.
     """
-    movers = [p.id for p in concrete.participants if not p.parked]
+    people = [p.id for p in concrete.participants]
+    movers = {p.id for p in concrete.participants if not p.parked}
     found = []
     for hazard in concrete.hazards:
         if hazard.kind is not HazardKind.OCCLUSION:
@@ -33,12 +34,9 @@ def occlusions(concrete: ConcreteScenario) -> list[tuple[str, str, str]]:
         for occluder, observer in hazard_pairs(hazard):
             meets = {who for h in concrete.hazards if observer in h.to for who in h.by}
             meets |= {who for h in concrete.hazards if observer in h.by for who in h.to}
-            meets &= {*movers} - {occluder}
-            found += [
-                (observer, target, occluder)
-                for target in movers
-                if target not in {observer, occluder} and (target in meets or not meets)
-            ]
+            meets &= {*people} - {occluder}
+            hidden = (meets & movers or meets or movers) - {observer, occluder}
+            found += [(observer, target, occluder) for target in people if target in hidden]
     return found
 
 

@@ -82,6 +82,9 @@ def _locus(prep: Prep, entities: list[Entity], event: Event | None, context: Con
         return
     if approaches == {Approach.ADJACENT} and any(e.parked for e in (*entities, *led[:1])):
         return  # "1 m beside the parked cars": they have no lane of their own
+    hidden = event is not None and event.name == "hide" and led and context.placed(led[0], _AHEAD)
+    if hidden and approaches == {Approach.BEHIND} and all(e.is_vehicle for e in entities):
+        approaches = {_AHEAD}  # "the lead car leaves the lane; a jam was hidden behind it"
     same = holds("the_same_way", clause, context)
     for entity in entities:
         if entity.is_vehicle or prep.value != "ahead" or same:
@@ -98,6 +101,7 @@ def heading(term: Term, entities: list[Entity]) -> None:
             entity.heading, entity.heading_basis = term.value, Basis(term.i, term.j)
 
 
+_AHEAD = Approach.AHEAD
 _FEWEST = 2
 _NUMBERS = ("first", "second", "third", "fourth", "fifth", "sixth")
 _BRAKING = frozenset({"brake", "hard_brake", "stop", "slow"})
