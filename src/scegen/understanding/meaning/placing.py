@@ -75,22 +75,28 @@ def _locus(prep: Prep, entities: list[Entity], event: Event | None, context: Con
     leads = prep.value == "ahead" and holds("leads_there", clause, context)
     if out_of or (event is not None and target and (aside or leads)):
         return
-    comes = target is None and (prep.outer, prep.value) == ("from", "ahead")
-    approaches = {Approach.OPPOSITE if comes else Approach(prep.value)}
+    hidden = event is not None and event.name == "hide" and all(e.is_vehicle for e in entities)
+    approaches = _told(prep, context, hidden=hidden)
     reference = led[0] if led else None
     if isinstance(target, Mention) and reference is None:
         return
     if approaches == {Approach.ADJACENT} and any(e.parked for e in (*entities, *led[:1])):
         return  # "1 m beside the parked cars": they have no lane of their own
-    hidden = event is not None and event.name == "hide" and led and context.placed(led[0], _AHEAD)
-    if hidden and approaches == {Approach.BEHIND} and all(e.is_vehicle for e in entities):
-        approaches = {_AHEAD}  # "the lead car leaves the lane; a jam was hidden behind it"
     same = holds("the_same_way", clause, context)
     for entity in entities:
         if entity.is_vehicle or prep.value != "ahead" or same:
             context.draft.place(entity, reference, approaches, basis)
     for other in led[1:] if len(entities) == 1 else []:
         context.draft.place(other, entities[0], {INVERSE[a] for a in approaches}, basis)
+
+
+def _told(prep: Prep, context: Context, *, hidden: bool) -> set[Approach]:
+    """From where one comes, or where one is: ``hidden`` behind one that is ahead, beyond it."""
+    if prep.target is None and (prep.outer, prep.value) == ("from", "ahead"):
+        return {Approach.OPPOSITE}
+    who = prep.who.entities if prep.who is not None and prep.value == "behind" else []
+    beyond = hidden and any(context.placed(e, Approach.AHEAD) for e in who)
+    return {Approach.AHEAD if beyond else Approach(prep.value)}
 
 
 def heading(term: Term, entities: list[Entity]) -> None:
@@ -101,7 +107,6 @@ def heading(term: Term, entities: list[Entity]) -> None:
             entity.heading, entity.heading_basis = term.value, Basis(term.i, term.j)
 
 
-_AHEAD = Approach.AHEAD
 _FEWEST = 2
 _NUMBERS = ("first", "second", "third", "fourth", "fifth", "sixth")
 _BRAKING = frozenset({"brake", "hard_brake", "stop", "slow"})
