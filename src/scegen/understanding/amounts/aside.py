@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scegen.scenario.acts import RESTING, ActKind
+from scegen.scenario.acts import ActKind
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.model import Interval
 from scegen.scenario.spacings import Measure
@@ -12,48 +12,17 @@ from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Place, Prep
 from scegen.understanding.draft import Placement
 from scegen.understanding.entity import Basis, Entity
-from scegen.understanding.happenings import STILL, Amount, Apart, Doing
+from scegen.understanding.happenings import Amount, Apart, Doing
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
-from scegen.understanding.semantics.patterns import noun, people
+from scegen.understanding.semantics.patterns import people
 from scegen.understanding.words.tokens import low_at
 
-_REACH, _SIDE_REACH = 8, 14
+_REACH, _SIDE_REACH = 10, 14
+_WHOLE = 100.0
+_BODY = frozenset({"front", "side", "portion"})
 _ALONG, _BESIDE = frozenset({"ahead", "behind"}), {Approach.ADJACENT}
 SIDE_WORDS = {f"{s}{end}": s for s in ("left", "right") for end in ("", "ward", "wards")}
-_BRINK = noun(["side", "+brink", "+of_road", "+kerb"])
-_TOWARDS_THE_EDGE_M = (0.3, 0.9)
-"""On one side of a lane, and still in it (lanes of 3 to 3.75 m, bodies of up to 2 m)."""
-
-
-def within_the_lane(text: Telling) -> None:
-    """``on the right-hand side of the lane``: off its middle, how far nobody says.
-
-    So does "along the right edge of the road".
-    """
-    for clause in text.scenes:
-        for place in [p for p in clause.places() if _within(p, text)]:
-            basis = Basis(place.i, place.j, "on one side of the lane and still in it")
-            low, high = _TOWARDS_THE_EDGE_M
-            amount = _to("right" in place.dirs, Interval(low=low, high=high), basis)
-            for who in [e for e in clause.actors if e.is_vehicle and not (e.parked or e.strip)]:
-                text.found.spacings.append(Apart(Measure.LATERAL_OFFSET_M, who, who, amount))
-
-
-def on_the_line(text: Telling) -> None:
-    """``stops on the centre line``: who goes across rests in the middle of the road."""
-    for clause in text.scenes:
-        lines = [p for p in clause.places() if p.kind == "centerline" and p.prep]
-        own = text.acts(clause.event.i, clause.event.j, RESTING) if lines else []
-        for doing in [a for a in own if Maneuver.CROSS in a.entity.maneuvers]:
-            middle = Amount(STILL, Basis(lines[0].i, lines[0].j))
-            who, measure = doing.entity, Measure.LATERAL_OFFSET_M
-            text.found.spacings.append(Apart(measure, who, who, middle, doing, since="end"))
-
-
-def _within(place: Place, text: Telling) -> bool:
-    at = place.prep and text.tokens[place.prep.i].low in word_list("on_strips")
-    return place.kind == "within_lane" or bool(at and _BRINK(place, text.context))
 
 
 def off_its_lane(figure: Figure) -> bool:
@@ -71,7 +40,21 @@ def signed(figure: Figure) -> Amount:
     """To the left is positive, to the right negative; the left where no side is said."""
     side, j = toward(figure)
     reason = "the side is not said; the left is taken" if side is None else None
-    return _to(side is Side.RIGHT, figure.quantity.exact, Basis(figure.i, j, reason))
+    return turned(side is Side.RIGHT, figure.quantity.exact, Basis(figure.i, j, reason))
+
+
+def of_a_width(figure: Figure) -> tuple[Amount, Side | None]:
+    """``30 % of its front, on the left``: an overlap, on which side, and the words of both."""
+    amount, text = figure.placed, figure.text
+    if amount.value.high >= _WHOLE:
+        return amount, None
+    side, j = toward(figure)
+    if any(not e.ego for e in text.spoken_of(figure.j, j)):
+        j = figure.j
+    body = [c for c in text.chunks if isinstance(c, Place) and c.kind in _BODY]
+    near = [c.j for c in body if 0 <= c.i - figure.j <= 1 or c.i <= j < c.j]
+    end = max([amount.basis.j or j, j, *near])
+    return Amount(amount.value, Basis(figure.i, end, amount.basis.reason)), side
 
 
 def abreast(figure: Figure, who: Entity, ego: Entity, sense: int) -> None:
@@ -85,7 +68,8 @@ def abreast(figure: Figure, who: Entity, ego: Entity, sense: int) -> None:
         who.beside = who.beside or (side, amount.basis)
 
 
-def _to(right: bool, value: Interval, basis: Basis) -> Amount:
+def turned(right: bool, value: Interval, basis: Basis) -> Amount:
+    """So far to the left, or to the right, which is negative."""
     return Amount(Interval(low=-value.high, high=-value.low) if right else value, basis)
 
 
@@ -98,7 +82,9 @@ def toward(figure: Figure) -> tuple[Side | None, int]:
     for k in range(j, min(j + _REACH, figure.end)):
         if tokens[k].low in SIDE_WORDS:
             return Side(SIDE_WORDS[tokens[k].low]), k + 1
-        aside = tokens[k].low == "," and low_at(tokens, k + 1) in SIDE_WORDS  # "50 %, left"
+        first = k + 1 + (low_at(tokens, k + 1) in word_list("on_strips"))
+        after = {low_at(tokens, first), low_at(tokens, first + (first > k + 1))}
+        aside = tokens[k].low == "," and not after.isdisjoint(SIDE_WORDS)  # "50 %, on the left"
         if tokens[k].kind in {"number", "punct"} and not aside:
             break
     before = range(figure.i - 1, max(figure.start, figure.i - _SIDE_REACH) - 1, -1)

@@ -20,7 +20,6 @@ _ARMS_LENGTH = 3
 """Nearer than so many metres, who drives by somebody parked is beside them."""
 _TWO_LANES = 7
 _PASSED = frozenset({"overtake", "pass", "bypass"})
-_WHOLE = 100
 _ELSEWHERE = {Maneuver.LANE_CHANGE, Maneuver.OVERTAKE, Maneuver.LEFT, Maneuver.RIGHT}
 _BREACHES = (HazardKind.FAILURE_TO_YIELD, HazardKind.RED_LIGHT_RUNNING)
 _TOLD_OTHERWISE = "how far apart they are then is told otherwise before; left out"
@@ -128,7 +127,7 @@ def _between(
     elif measure in {Measure.HEADWAY_S, Measure.TTC_S}:
         entity, reference = text.in_file(one, other)
     elif measure is Measure.OVERLAP_PERCENT:
-        side = aside.toward(figure)[0] if amount.value.high < _WHOLE else None
+        amount, side = aside.of_a_width(figure)
         entity, reference = (other, one) if one.ego else (one, other)
         text.found.spacings[:] = [
             s for s in text.found.spacings if s.measure is not measure or s.entity is not entity

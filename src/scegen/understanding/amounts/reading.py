@@ -9,7 +9,7 @@ from typing import Any
 from scegen.scenario.acts import FAR, LASTING, ActKind
 from scegen.scenario.model import Interval
 from scegen.scenario.spacings import Measure
-from scegen.understanding.amounts import aside, struck
+from scegen.understanding.amounts import in_its_lane, struck
 from scegen.understanding.amounts.acting import read_acts
 from scegen.understanding.amounts.as_fast import as_fast, kept_apart, relative
 from scegen.understanding.amounts.aside import off_its_lane
@@ -50,8 +50,9 @@ def read_amounts(
     read_items(text)
     figures.sort(key=lambda figure: not says_how(figure.role))
     _place([f for f in figures if f.role not in {"speed", "relative_speed"}])
-    aside.within_the_lane(text)
-    aside.on_the_line(text)
+    in_its_lane.within(text)
+    in_its_lane.reaching_in(text)
+    in_its_lane.on_the_line(text)
     struck.settle(text)
     order(text)
     go_on(text)
