@@ -24,11 +24,14 @@ def row_of(figure: Figure) -> list[tuple[Entity, Entity]]:
     """``two cars drive ahead of the ego with 20 m between each``: from one to the next."""
     scene = figure.scene
     column = scene is not None and scene.event.how("row") is not None  # "in a column, 2 s headway"
-    if not (column or figure.words_around.opens("in_a_row")):
+    each = figure.words_around.opens("in_a_row") or figure.words_around.opens("gaps")
+    if not (column or each or figure.words_around.closes("one_to_the_next")):
         return []
     text = figure.text
     own = {id(c.owner) for c in text.chunks if isinstance(c, Place)}  # "in the ego's lane"
     spoken = [m for m in text.mentions if figure.start <= m.i < figure.i and id(m) not in own]
+    if not spoken:  # "three cars drive in a row. The gaps are 15 m"
+        spoken = [m for m in text.mentions if m.i < figure.i and len(m.entities) > 1][-1:]
     if figure.words_around.after.startswith(" apart ") and spoken and len(spoken[-1].entities) > 1:
         spoken = spoken[-1:]  # "the ego meets three standing cars, 10 m apart"
     members = list(dict.fromkeys(e for m in spoken for e in m.entities))

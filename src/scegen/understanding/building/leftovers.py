@@ -68,6 +68,7 @@ def _shared_out(draft: Draft, chunks: list[Chunk]) -> None:
             before = next((c for c in reversed(chunks[:k]) if isinstance(c, Mention | Event)), None)
             own = before.entities if isinstance(before, Mention) else []
             ranked = isinstance(row, Mention) and row.ranked
+            ranked = ranked or any(p.basis.i == place.i for p in draft.placements)
             if not ranked and not any("ranked" in e.named_by for e in own):
                 draft.note(place.i, place.j, _PLACE_IN_A_ROW)
         if not isinstance(place, Place) or place.kind != "lane" or place.head is None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import combinations, product
+from itertools import combinations, pairwise, product
 
 from scegen.scenario.vocabulary import Approach, ParticipantKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
@@ -15,6 +15,7 @@ from scegen.understanding.semantics.conditions import holds
 from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.lanes import INVERSE, SIDES, adjective_approaches
 from scegen.understanding.semantics.rows import say
+from scegen.understanding.words.numbers import POSITIONS
 from scegen.understanding.words.terms import Term
 
 _FROM_THE_KERB = frozenset({ParticipantKind.PEDESTRIAN, ParticipantKind.BICYCLE})
@@ -110,6 +111,9 @@ def heading(term: Term, entities: list[Entity]) -> None:
 _FEWEST = 2
 _NUMBERS = ("first", "second", "third", "fourth", "fifth", "sixth")
 _BRAKING = frozenset({"brake", "hard_brake", "stop", "slow"})
+_UNTOLD = 99
+"""Behind those whose place is told, before the last."""
+_ELSEWHERE = {Approach.ADJACENT, Approach.OPPOSITE, Approach.LEFT, Approach.RIGHT}
 _ORDERS = {"row": Approach.AHEAD, "abreast": Approach.ADJACENT}
 
 
@@ -123,6 +127,32 @@ def line_up(chunks: list[Chunk], events: list[Event], draft: Draft) -> None:
     for event in events:
         _behind_each_other(event.mods, event.doers, draft)
     _queue_of_the_numbered(chunks, events, draft)
+    _in_order(chunks, draft)
+
+
+def _in_order(chunks: list[Chunk], draft: Draft) -> None:
+    """``bus first, ego second``, ``a van, a taxi, the VUT last``: one behind the other."""
+    told: dict[int, tuple[int, Basis]] = {}
+    for place, label in pairwise(chunks):
+        who = place.entities if isinstance(place, Mention) else []
+        at = POSITIONS.get(draft.tokens[label.i].low) if label.cat == "label" else None
+        if at is not None and len(who) == 1 and who[0].moving_vehicle and not _ranked(who[0]):
+            told[who[0].index] = at, Basis(label.i, label.j)
+    lasts = [basis for at, basis in told.values() if at < 0]
+    if len(told) < _FEWEST and not lasts:
+        return
+    apart = {p.entity.index for p in draft.placements if p.approaches & _ELSEWHERE}
+    row = [e for e in draft.entities if e.moving_vehicle and e.index not in apart]
+    row = [e for e in row if lasts or e.index in told]
+    row.sort(key=lambda e: told.get(e.index, (_UNTOLD, None))[0] % (_UNTOLD + 1))
+    for leader, follower in combinations(row, 2):
+        if (found := told.get(follower.index) or told.get(leader.index)) is not None:
+            draft.place(leader, follower, {Approach.AHEAD}, found[1])
+            follower.named_by.add("ranked")
+
+
+def _ranked(entity: Entity) -> bool:
+    return "ranked" in entity.named_by
 
 
 def _at_its_end(mention: Mention, draft: Draft) -> None:
