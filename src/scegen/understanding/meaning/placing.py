@@ -128,6 +128,11 @@ def line_up(chunks: list[Chunk], events: list[Event], draft: Draft) -> None:
         _behind_each_other(event.mods, event.doers, draft)
     _queue_of_the_numbered(chunks, events, draft)
     _in_order(chunks, draft)
+    for entity in [e for e in draft.entities if _ranked(e) and e.moving_vehicle]:
+        nears = any(e.name == "approach" and entity in e.doers for e in events)
+        group = [e for e in draft.entities if e.basis == entity.basis and not nears]
+        for leader, follower in combinations(group, 2):  # "three wait there, we are the last"
+            draft.place(leader, follower, {Approach.AHEAD}, entity.basis)
 
 
 def _in_order(chunks: list[Chunk], draft: Draft) -> None:
