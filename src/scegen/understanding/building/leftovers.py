@@ -67,7 +67,7 @@ def _shared_out(draft: Draft, chunks: list[Chunk]) -> None:
             row = chunk_at(chunks, k + 2)
             before = next((c for c in reversed(chunks[:k]) if isinstance(c, Mention | Event)), None)
             own = before.entities if isinstance(before, Mention) else []
-            ranked = isinstance(row, Mention) and row.ranked
+            ranked = isinstance(row, Mention) and row.ranked is not None
             ranked = ranked or any(p.basis.i == place.i for p in draft.placements)
             if not ranked and not any("ranked" in e.named_by for e in own):
                 draft.note(place.i, place.j, _PLACE_IN_A_ROW)

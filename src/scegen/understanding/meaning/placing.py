@@ -126,34 +126,44 @@ def line_up(chunks: list[Chunk], events: list[Event], draft: Draft) -> None:
             _at_its_end(chunk, draft)
     for event in events:
         _behind_each_other(event.mods, event.doers, draft)
-    _queue_of_the_numbered(chunks, events, draft)
-    _in_order(chunks, draft)
-    for entity in [e for e in draft.entities if _ranked(e) and e.moving_vehicle]:
+    told = _numbered(chunks, events) or _labelled(chunks, draft)
+    apart = {p.entity.index for p in draft.placements if p.approaches & _ELSEWHERE}
+    row = [e for e in draft.entities if e.moving_vehicle and e.index not in apart]
+    last = [e for e in row if told.get(e.index, (0, None))[0] < 0]
+    row = [e for e in row if last or (len(told) >= _FEWEST and e.index in told)]
+    row.sort(key=lambda e: told.get(e.index, (_UNTOLD, None))[0] % (_UNTOLD + 1))
+    for leader, follower in combinations(row, 2):
+        if (found := told.get(follower.index) or told.get(leader.index)) is not None:
+            draft.place(leader, follower, {Approach.AHEAD}, found[1])
+            follower.named_by.add("ranked")
+    for entity in [e for e in draft.entities if _ranked(e) and e.index not in told]:
         nears = any(e.name == "approach" and entity in e.doers for e in events)
         group = [e for e in draft.entities if e.basis == entity.basis and not nears]
         for leader, follower in combinations(group, 2):  # "three wait there, we are the last"
             draft.place(leader, follower, {Approach.AHEAD}, entity.basis)
 
 
-def _in_order(chunks: list[Chunk], draft: Draft) -> None:
+def _labelled(chunks: list[Chunk], draft: Draft) -> dict[int, tuple[int, Basis]]:
     """``bus first, ego second``, ``a van, a taxi, the VUT last``: one behind the other."""
-    told: dict[int, tuple[int, Basis]] = {}
+    told = {}
     for place, label in pairwise(chunks):
         who = place.entities if isinstance(place, Mention) else []
         at = POSITIONS.get(draft.tokens[label.i].low) if label.cat == "label" else None
-        if at is not None and len(who) == 1 and who[0].moving_vehicle and not _ranked(who[0]):
+        if at is not None and len(who) == 1 and not _ranked(who[0]):
             told[who[0].index] = at, Basis(label.i, label.j)
-    lasts = [basis for at, basis in told.values() if at < 0]
-    if len(told) < _FEWEST and not lasts:
-        return
-    apart = {p.entity.index for p in draft.placements if p.approaches & _ELSEWHERE}
-    row = [e for e in draft.entities if e.moving_vehicle and e.index not in apart]
-    row = [e for e in row if lasts or e.index in told]
-    row.sort(key=lambda e: told.get(e.index, (_UNTOLD, None))[0] % (_UNTOLD + 1))
-    for leader, follower in combinations(row, 2):
-        if (found := told.get(follower.index) or told.get(leader.index)) is not None:
-            draft.place(leader, follower, {Approach.AHEAD}, found[1])
-            follower.named_by.add("ranked")
+    return told
+
+
+def _numbered(chunks: list[Chunk], events: list[Event]) -> dict[int, tuple[int, Basis]]:
+    """``first van brakes, second stops, third (the ego) is late``: one behind the other."""
+    numbered = [c for c in chunks if isinstance(c, Mention) and _ordinal(c) is not None]
+    braking = [m for e in events if e.name in _BRAKING for m in e.subject if m in numbered]
+    by_number = {_ordinal(m): m.entities[0] for m in reversed(numbered) if braking and m.entities}
+    why = "they brake one after the other"
+    order = {
+        e.index: (at or 0, Basis(braking[0].i, braking[0].j, why)) for at, e in by_number.items()
+    }
+    return order if len(order) == len(by_number) else {}
 
 
 def _ranked(entity: Entity) -> bool:
@@ -167,20 +177,6 @@ def _at_its_end(mention: Mention, draft: Draft) -> None:
         for entity, other in product(mention.entities, draft.entities):
             if other.basis == entity.basis:
                 draft.place(entity, draft.ego and other, place, Basis(which.i, which.j))
-
-
-def _queue_of_the_numbered(chunks: list[Chunk], events: list[Event], draft: Draft) -> None:
-    """``first van brakes, second stops, third (the ego) is late``: one behind the other."""
-    numbered = [c for c in chunks if isinstance(c, Mention) and _ordinal(c) is not None]
-    braking = [m for e in events if e.name in _BRAKING for m in e.subject if m in numbered]
-    if not braking:
-        return
-    by_number = {_ordinal(m) or 0: m.entities[0] for m in reversed(numbered) if m.entities}
-    order = [by_number[n] for n in sorted(by_number)]
-    apart = len(set(map(id, order))) == len(order) and all(e.moving_vehicle for e in order)
-    basis = Basis(braking[0].i, braking[0].j, "they brake one after the other")
-    for leader, follower in combinations(order, 2) if apart else []:
-        draft.place(leader, follower, {Approach.AHEAD}, basis)
 
 
 def _ordinal(mention: Mention) -> int | None:
