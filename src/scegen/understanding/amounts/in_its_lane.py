@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scegen.scenario.acts import RESTING, ActKind
 from scegen.scenario.model import Interval
-from scegen.scenario.spacings import START, Measure
+from scegen.scenario.spacings import Measure
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.amounts.aside import turned
 from scegen.understanding.amounts.telling import Telling
@@ -19,8 +19,6 @@ _TOWARDS_THE_EDGE_M = (0.3, 0.9)
 """On one side of a lane, and still in it (lanes of 3 to 3.75 m, bodies of up to 2 m)."""
 _PARTLY_IN_M = (0.9, 1.3)
 """Across the edge of a lane, and in the way of who drives in its middle."""
-_QUEUED_M = 10.0
-_ALONG = {Maneuver.STRAIGHT, Maneuver.STAY}
 _SIDEWAYS = frozenset({Measure.LATERAL_OFFSET_M, Measure.OVERLAP_PERCENT})
 _ONE_SIDE = ({Approach.LEFT}, {Approach.RIGHT})
 
@@ -61,20 +59,6 @@ def _off(
 ) -> None:
     amount = turned(right, Interval(low=far[0], high=far[1]), basis)
     text.found.spacings.append(Apart(Measure.LATERAL_OFFSET_M, who, of, amount))
-
-
-def queued(text: Telling) -> None:
-    """``stationary, 2 m behind a van``: so does that one stand, of which nothing else is told."""
-    acting = [a.entity for a in text.found.acts]
-    for apart in [s for s in text.found.spacings if s.measure is Measure.GAP_M]:
-        front, stands = apart.reference, apart.entity
-        close = apart.at == START and apart.amount.value.high <= _QUEUED_M
-        if not (close and isinstance(stands, Entity) and front.is_vehicle and not front.still):
-            continue
-        rests = stands.still or (stands.speed is not None and stands.speed.high == 0)
-        told = front.speed is not None or front in acting or front.maneuvers - _ALONG
-        if rests and not told and text.in_file(front, stands) == (stands, front):
-            front.stands = apart.amount.basis.because("who stands so close behind is in a queue")
 
 
 def on_the_line(text: Telling) -> None:

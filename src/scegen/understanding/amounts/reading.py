@@ -58,7 +58,6 @@ def read_amounts(
     go_on(text)
     kept_apart(text)
     text.found.acts = _kept(text.found)
-    in_its_lane.queued(text)
     for clause in clauses_of(text.found):
         say("dangers.told", clause, context)
     return text.found
