@@ -126,7 +126,7 @@ def line_up(chunks: list[Chunk], events: list[Event], draft: Draft) -> None:
             _at_its_end(chunk, draft)
     for event in events:
         _behind_each_other(event.mods, event.doers, draft)
-    told = _numbered(chunks, events) or _labelled(chunks, draft)
+    told = _numbered(chunks, events) or _labelled(chunks, draft) or _counted(events, draft)
     apart = {p.entity.index for p in draft.placements if p.approaches & _ELSEWHERE}
     row = [e for e in draft.entities if e.moving_vehicle and e.index not in apart]
     last = [e for e in row if told.get(e.index, (0, None))[0] < 0]
@@ -136,11 +136,16 @@ def line_up(chunks: list[Chunk], events: list[Event], draft: Draft) -> None:
         if (found := told.get(follower.index) or told.get(leader.index)) is not None:
             draft.place(leader, follower, {Approach.AHEAD}, found[1])
             follower.named_by.add("ranked")
-    for entity in [e for e in draft.entities if _ranked(e) and e.index not in told]:
-        nears = any(e.name == "approach" and entity in e.doers for e in events)
-        group = [e for e in draft.entities if e.basis == entity.basis and not nears]
-        for leader, follower in combinations(group, 2):  # "three wait there, we are the last"
-            draft.place(leader, follower, {Approach.AHEAD}, entity.basis)
+
+
+def _counted(events: list[Event], draft: Draft) -> dict[int, tuple[int, Basis]]:
+    """``three wait there, we are the last``: who is told together is in that order."""
+    told: dict[int, tuple[int, Basis]] = {}
+    for entity in [e for e in draft.entities if "ranked" in e.named_by]:
+        if not any(e.name == "approach" and entity in e.doers for e in events):
+            group = [e for e in draft.entities if e.basis == entity.basis]
+            told |= {e.index: (at, e.basis) for at, e in enumerate(group)}
+    return told
 
 
 def _labelled(chunks: list[Chunk], draft: Draft) -> dict[int, tuple[int, Basis]]:
@@ -149,7 +154,7 @@ def _labelled(chunks: list[Chunk], draft: Draft) -> dict[int, tuple[int, Basis]]
     for place, label in pairwise(chunks):
         who = place.entities if isinstance(place, Mention) else []
         at = POSITIONS.get(draft.tokens[label.i].low) if label.cat == "label" else None
-        if at is not None and len(who) == 1 and not _ranked(who[0]):
+        if at is not None and len(who) == 1 and "ranked" not in who[0].named_by:
             told[who[0].index] = at, Basis(label.i, label.j)
     return told
 
@@ -164,10 +169,6 @@ def _numbered(chunks: list[Chunk], events: list[Event]) -> dict[int, tuple[int, 
         e.index: (at or 0, Basis(braking[0].i, braking[0].j, why)) for at, e in by_number.items()
     }
     return order if len(order) == len(by_number) else {}
-
-
-def _ranked(entity: Entity) -> bool:
-    return "ranked" in entity.named_by
 
 
 def _at_its_end(mention: Mention, draft: Draft) -> None:

@@ -16,15 +16,8 @@ POSITIONS = {"first": 0, "second": 1, "third": 2, "fourth": 3, "fifth": 4, "sixt
 """Place within those spoken of last; "the former" and "the latter" are of two."""
 
 
-_WORDS = (
-    "zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten",
-    "eleven", "twelve", "thirteen", "fourteen", "fifteen", "sixteen", "seventeen", "eighteen",
-    "nineteen", "twenty", "thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety",
-    "hundred", "thousand",
-)  # fmt: skip
-ATOMS = frozenset(_WORDS)
-_LARGE = frozenset(_WORDS[-2:])
-_DIGITS = _WORDS[:10]
+ATOMS = word_list("number_words")
+_LARGE = frozenset({"hundred", "thousand"})
 _FRACTION_DIGITS = 3
 _HALF = 0.5
 COUNTED = {"a": 1, "one": 1, "two": 2, "three": 3}
@@ -88,9 +81,9 @@ def _with_fraction(tokens: list[Token], j: int, whole: Number) -> Number:
     if lows == ["and", "a", "half"]:
         return Number(whole.value + _HALF, whole.length + 3)
     end = j + 1
-    while lows[:1] == ["point"] and low_at(tokens, end) in _DIGITS:
+    while lows[:1] == ["point"] and low_at(tokens, end) in ATOMS:
         end += 1
-    digits = "".join(str(_DIGITS.index(t.low)) for t in tokens[j + 1 : end])
+    digits = "".join(f"{_spoken((t.low,)):.0f}" for t in tokens[j + 1 : end])
     return Number(whole.value + float(f"0.{digits}"), whole.length + end - j) if digits else whole
 
 
