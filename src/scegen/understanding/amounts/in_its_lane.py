@@ -41,6 +41,7 @@ def reaching_in(text: Telling) -> None:
     How far is what an overlap says, where one is told.
     """
     barring = [e for e in text.draft.causing(HazardKind.OBSTACLE) if e.is_vehicle and e.still]
+    barring = [e for e in barring if e.maneuvers <= {Maneuver.STAY}]
     opening = [a.entity for a in text.found.acts if a.kind is ActKind.OPEN_DOOR]
     aside = [p for p in text.draft.placements if p.approaches in _ONE_SIDE]
     for told in [p for p in aside if p.reference is None or p.reference.ego]:

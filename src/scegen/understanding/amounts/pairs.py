@@ -25,7 +25,8 @@ def row_of(figure: Figure) -> list[tuple[Entity, Entity]]:
     scene = figure.scene
     column = scene is not None and scene.event.how("row") is not None  # "in a column, 2 s headway"
     each = figure.words_around.opens("in_a_row") or figure.words_around.opens("gaps")
-    if not (column or each or figure.words_around.closes("one_to_the_next")):
+    each |= figure.words_around.closes("one_to_the_next") and not figure.quantity.joined
+    if not (column or each):
         return []
     text = figure.text
     own = {id(c.owner) for c in text.chunks if isinstance(c, Place)}  # "in the ego's lane"
