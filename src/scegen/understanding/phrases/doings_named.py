@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.phrases.headings import only_entries
 from scegen.understanding.phrases.lookahead import (
     BOUNDARIES,
     GOVERNING,
@@ -73,7 +74,8 @@ def _told(event: Event, k: int, chunks: list[Chunk]) -> tuple[list[Chunk], int] 
     while (group := _group(m, chunks)) and group[0] not in named:
         named[group[0]] = group[1]
         m = group[2]
-    is_heading = value_at(chunks, sentence_end(chunks, m)) == ":"
+    end = sentence_end(chunks, m)
+    is_heading = value_at(chunks, end) == ":" and not only_entries(chunks[end + 1 :])
     if finite_follows(chunks, m - 1) or is_heading:
         return None
     if not named:

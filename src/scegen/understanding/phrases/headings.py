@@ -163,17 +163,32 @@ def _silence(title: list[Chunk], rest: list[Chunk]) -> None:
     if not _others(rest):  # "Stationary traffic ahead: the ego brakes": nobody else can be meant
         mentions = [m for m in mentions if _names_ego([m])]
     again = [c.same_as for c in rest if isinstance(c, Mention)]
+    doing = any(isinstance(c, Event) for c in title)
+    entries = doing and only_entries(rest)
     for mention in (m for m in mentions if m not in again):
         kind = mention.noun
         alone = [m.noun for m in mentions].count(kind) == 1
         told = isinstance(chunk_at(title, title.index(mention) + 1), Event)
         same = next((c for c in rest if isinstance(c, Mention) and _of_kind(c, kind)), None)
-        if alone and (told or mention.dirs) and same is not None and kind in _SPECIFIC:
+        if entries and mention in _others(title) and kind not in _SPECIFIC:
+            for named in _others(rest)[:1]:  # "Lead car braking: ego 50 km/h, lead 50 km/h"
+                named.same_as = mention
+        elif alone and (told or mention.dirs) and same is not None and kind in _SPECIFIC:
             same.same_as = mention
         else:
             mention.negated = True
             if len(mentions) == 1 and not _introduced(mention):
                 _pass_on(mention, title, rest)
+
+
+def only_entries(chunks: list[Chunk]) -> bool:
+    """Whether nobody but the ego is told to do something: "ego 50 km/h, lead 50 km/h"."""
+    others = False
+    for chunk in chunks:
+        others = not chunk.is_ego if isinstance(chunk, Mention) else others
+        if others and isinstance(chunk, Event) and not chunk.nominal:
+            return False
+    return True
 
 
 def _names_ego(chunks: list[Chunk]) -> bool:
