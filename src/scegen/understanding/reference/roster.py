@@ -209,7 +209,8 @@ class Roster:
         if reading is None:
             return True
         generic = reading.generic or reading.driver
-        same = entity.kind is reading.kind or (generic and entity.is_vehicle)
+        any_kind = reading.kind is not _RIDDEN or entity.kind is ParticipantKind.BICYCLE
+        same = entity.kind is reading.kind or (generic and entity.is_vehicle and any_kind)
         return same and entity.parked == reading.parked
 
     def agree(self, group: Group, reading: Reading) -> bool:
