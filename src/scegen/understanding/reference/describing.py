@@ -10,7 +10,7 @@
 from __future__ import annotations
 
 from scegen.scenario.vocabulary import ParticipantKind
-from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep
+from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.clauses.located import is_it
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.reference.mention_words import is_pronoun, tells
@@ -150,14 +150,17 @@ def _chases(events: list[Event]) -> None:
 
 
 def _left_standing(events: list[Event]) -> None:
-    """``somebody has left a van on the bend``: a parked van, and nobody about."""
+    """``somebody has left a van on the bend``, ``… lost a ladder``: it is there, and nobody else."""
+    put = {"leave", "park", "dump", "abandon"} | word_list("shedding")
     for event in events:
         what, who = event.object, event.subject[-1] if event.subject else None
-        put = event.lemma in {"leave", "park", "dump", "abandon"} and not event.passive
-        if not put or who is None or not isinstance(what, Mention) or not is_one_vehicle(what):
+        thing = isinstance(what, Thing) and "thing" in getattr(what.head, "data", ())
+        vehicle = isinstance(what, Mention) and is_one_vehicle(what)
+        if event.lemma not in put or event.passive or who is None or not (thing or vehicle):
             continue
-        if who.noun == "pedestrian":
+        if who.noun == "pedestrian" and (vehicle or "vague" in getattr(who.head, "data", ())):
             who.negated = True
+        if isinstance(what, Mention) and who.negated:
             what.same_as = None
             what.mods = [*what.mods, Term("state", "parked", event.i, event.j)]
 
