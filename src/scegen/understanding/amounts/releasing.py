@@ -10,7 +10,7 @@ from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.amounts.timing import act_of, endless, since_green, told_in
 from scegen.understanding.chunks import Mention, Place, Thing
 from scegen.understanding.entity import Basis, Entity
-from scegen.understanding.happenings import STILL, Amount, Doing, Since, Trigger, name_them
+from scegen.understanding.happenings import STILL, Amount, Apart, Doing, Since, Trigger, name_them
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.words.quantities import ends_a_quantity, quantity_at
 from scegen.understanding.words.terms import Term
@@ -83,9 +83,9 @@ def _thing(figure: Figure) -> Thing | None:
     """The thing that a phrase of place names, or that "it" stands for."""
     noun = figure.noun
     if isinstance(noun, Mention) and noun.pronoun is not None:
-        named = [c for c in figure.text.chunks if c.i < figure.i]
-        known = (c for c in reversed(named) if getattr(c, "pronoun", None) is None)
-        noun = next((c for c in known if isinstance(c, Thing | Mention)), None)
+        told = (c for c in figure.text.chunks if isinstance(c, Thing | Mention) and c.i < figure.i)
+        others = [c for c in told if isinstance(c, Thing) or not (c.pronoun or c.is_ego)]
+        noun = others[-1] if others else None
     return noun if isinstance(noun, Thing) and has_a_size(noun) else None
 
 
@@ -101,9 +101,11 @@ def _before_a_thing(figure: Figure, thing: Thing, clause: tuple[int, int, str] |
         item.blocks, item.blocked = True, None if doing.entity.ego else doing.entity
         items.append(item)
         name_them(items)
-    doing.when = figure.trigger(
-        "measure", measure=Measure.GAP_M, entity=doing.entity, reference=item
-    )
+    who = doing.entity
+    if clause is None and doing.ends_at_rest:  # "stops 2 m short of the crate"
+        text.found.spacings += [Apart(figure.measure, item, who, figure.placed, doing, since="end")]
+    else:
+        doing.when = figure.trigger("measure", measure=figure.measure, entity=who, reference=item)
     return True
 
 
@@ -255,8 +257,7 @@ def _clauses(text: Telling) -> None:
         if not inside:
             main.when = _level(chunk, end, main, text)
             continue
-        meanwhile = opening == "when" and chunk.i > start
-        if not main.always and (meanwhile or not trigger):
+        if not main.always and (not trigger or (opening == "when" and chunk.i > start)):
             continue  # "passes a bus when a child runs out": what goes on meanwhile
         first = inside[0]
         over = any(c.event.perfect for c in text.within(chunk.j, end))
@@ -264,10 +265,9 @@ def _clauses(text: Telling) -> None:
         begun = opening in word_list("while_begun") and not over
         steps = first.kind is ActKind.CROSS and endless(first, text)
         since: Since = "begin" if steps or begun else "end"
-        basis = Basis(chunk.i, chunk.j)
         soon = text.find("at_once", max(chunk.i - 1, start), chunk.j)  # "right after"
         at_once = Amount(STILL, Basis(*soon)) if soon else None
-        main.when = Trigger("after", basis, at_once, first, since)
+        main.when = Trigger("after", Basis(chunk.i, chunk.j), at_once, first, since)
 
 
 def _level(chunk: Term, end: int, main: Doing, text: Telling) -> Trigger | None:

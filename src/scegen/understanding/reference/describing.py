@@ -150,7 +150,7 @@ def _chases(events: list[Event]) -> None:
 
 
 def _left_standing(events: list[Event]) -> None:
-    """``somebody has left a van on the bend``, ``… lost a ladder``: it is there, and nobody else."""
+    """``somebody left a van on the bend``, ``lost a ladder``: it is there, and nobody about."""
     put = {"leave", "park", "dump", "abandon"} | word_list("shedding")
     for event in events:
         what, who = event.object, event.subject[-1] if event.subject else None
