@@ -32,6 +32,7 @@ from scegen.understanding.reference.mention_words import (
 )
 from scegen.understanding.reference.pronouns import of_pronoun, picked
 from scegen.understanding.reference.roster import Group, Roster, opened, vehicle_around
+from scegen.understanding.words.tokens import low_at
 
 _MOST = 20
 _A_PAIR = 2
@@ -94,10 +95,18 @@ def resolve(
         entity.named_by |= states_of(mention)
     _as_somebody(mention)
     roster.spoken_of(found, subject=subject, settled=settled)
+    if subject or _measured_to(mention, roster):
+        roster.measured = [] if subject else list(found)
     roster.stands_near(near, found)
     if subject and mention.joined is not None:
         roster.joined = [e for m in chain(mention) for e in m.entities]
     return found
+
+
+def _measured_to(mention: Mention, roster: Roster) -> bool:
+    """``when the gap to the ego is 20 m, it brakes``: the one whose gap it is."""
+    to = mention.prep if mention.stands_after("to") else None
+    return to is not None and low_at(roster.tokens, to.i - 1) in word_list("to_another")
 
 
 def _as_somebody(mention: Mention) -> None:

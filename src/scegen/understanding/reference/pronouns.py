@@ -27,6 +27,8 @@ def of_pronoun(
     if which == "everybody":
         return everybody(mention, roster.draft)
     if which in {"it", "him"}:
+        others = any(e not in (*exclude, *roster.measured) for e in roster.recent)
+        exclude = [*exclude, *(roster.measured if others else [])]
         beside = [e for e in roster.still_near(near) if e not in exclude]
         told = beside if _word(roster, mention) == "it" else []
         return told or _single(roster, mention, exclude)

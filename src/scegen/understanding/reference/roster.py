@@ -73,6 +73,7 @@ class Roster:
         before: who acted before them.
         pair: the two of whom one was called "the former".
         joined: who was named as one subject ("a van and a bus").
+        measured: to whom a gap was just told ("the gap to the ego").
         landmark: of whom the last phrase of place told where somebody is, its word and since when.
         turns: how many mentions came up.
         teller: what the one who tells it goes by.
@@ -88,6 +89,7 @@ class Roster:
     before: list[Entity] = field(default_factory=list)
     pair: list[Entity] = field(default_factory=list)
     joined: list[Entity] = field(default_factory=list)
+    measured: list[Entity] = field(default_factory=list)
     landmark: tuple[list[Entity], str, int] | None = None
     turns: int = 0
     teller: ParticipantKind = ParticipantKind.CAR
