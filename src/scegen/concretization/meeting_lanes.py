@@ -20,10 +20,9 @@ from scegen.concretization.turning_ways import abreast, is_outward, lanes_abreas
 from scegen.concretization.wishes import LIKELY, SAID, USUAL, Wish, least_broken
 from scegen.motion.paths import END_MARGIN_M
 from scegen.scenario.concrete import LaneChange
-from scegen.scenario.logical import ConflictKind
+from scegen.scenario.logical import MEETING
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver
 
-_MEETS = frozenset({ConflictKind.CROSSING, ConflictKind.MERGING})
 _BEHIND_JUNCTION_M = 2.0
 _AS_IT_WAS, _EGO_AS_IT_WAS = 0.1, 0.15
 
@@ -170,7 +169,7 @@ def _meetings(scene: Setup) -> Iterator[Wish]:
     told = [((a.id, b.id), LIKELY) for a, b in dangers if not same_arm(a, b)]
     for conflict in scene.logical.conflicts:
         who = (conflict.first, conflict.second)
-        if conflict.kind in _MEETS and scene.drives.keys() >= {*who}:
+        if conflict.kind in MEETING and scene.drives.keys() >= {*who}:
             told.append((who, USUAL if scene.functional.ego.id in who else USUAL / 2))
     return (Wish(who, weight, partial(meet, *who), "they meet") for who, weight in told)
 

@@ -237,7 +237,7 @@ def _between(scene: Clause, text: Telling) -> list[Entity]:
     nobody = any(m.pronoun in _NOBODY for m in scene.event.subject)
     if nobody and len(text.draft.entities) > _PAIR:
         return []  # none of them touches any other
-    into = goal_of_contact(scene, text.context)
+    into = goal_of_contact(scene, text.context) or scene.event.object  # "hits the rear of his van"
     if any(isinstance(n, Thing) and lies_there(n, text.context) for n in scene.event.nouns()):
         return []  # "avoids the pallet" that a lorry has lost
     who = [*scene.actors, *(scene.targets or touched(into, scene, text.context))]

@@ -14,7 +14,7 @@ from scegen.scenario.roadway import (
     Strip,
 )
 from scegen.scenario.vocabulary import Approach, HazardKind, JunctionKind, Maneuver, ParticipantKind
-from scegen.understanding.building.in_lane import JOINING
+from scegen.understanding.building.in_lane import JOINING, TWO_WHEELED
 from scegen.understanding.building.leftovers import ONE_RAMP
 from scegen.understanding.building.viewpoint import unplaced_dangers
 from scegen.understanding.building.writing import Proofs
@@ -198,7 +198,11 @@ def in_one_lane(draft: Draft, happenings: Happenings) -> None:
         if oncoming and to and told.isdisjoint(pair):
             draft.hazard(HazardKind.ONCOMING_LANE, basis, [entity], to)
         if Approach.ADJACENT in entity.approaches and not over:
-            draft.hazard(HazardKind.SWERVING, basis, pair[:1], pair[1:])
+            along, words = entity.in_next_lane or (set(), basis)
+            if along == {Approach.AHEAD if pair[0].ego else Approach.BEHIND}:
+                entity.comes_from(along, words)  # who is behind in the left lane hits it
+            else:
+                draft.hazard(HazardKind.SWERVING, basis, pair[:1], pair[1:])
 
 
 def from_the_strip(draft: Draft, ego: Entity) -> None:
@@ -251,7 +255,6 @@ def both_change_lanes(draft: Draft, ego: Entity) -> None:
             entity.comes_from({Approach.ADJACENT}, basis.because(reason))
 
 
-_RIDERS = frozenset({ParticipantKind.BICYCLE, ParticipantKind.MOTORCYCLE})
 _TURNS = {Approach.RIGHT: Maneuver.RIGHT, Approach.LEFT: Maneuver.LEFT}
 
 
@@ -263,7 +266,7 @@ def alongside(draft: Draft, ego: Entity) -> None:
     crossing = draft.causing(HazardKind.CROSSING_CYCLIST)
     for entity in draft.entities:
         basis = entity.approach_basis
-        if entity is ego or entity.kind not in _RIDERS or basis is None or basis.i is None:
+        if entity is ego or entity.kind not in TWO_WHEELED or basis is None or basis.i is None:
             continue
         seen = entity.approaches - {Approach.BEHIND}  # "from behind on its right"
         side = next(iter(seen)) if len(seen) == 1 else None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from scegen.scenario.acts import ActKind
+from scegen.scenario.acts import LEAVING, ActKind
 from scegen.scenario.control import STOPS, controlled_arms
 from scegen.scenario.evidence import Unsupported
 from scegen.scenario.functional import FunctionalScenario, Participant
@@ -174,15 +174,14 @@ def _otherwise(term: Term, scenario: FunctionalScenario) -> str | None:
 
 _UNDONE = "what is done here became no act; left out"
 _RESTS = frozenset({ActKind.STOP, ActKind.WAIT, ActKind.GIVE_WAY})
-_ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.SWERVE, ActKind.OVERTAKE})
 _SHOWN_BY = {
     ActKind.BRAKE: _RESTS,
     ActKind.STOP: _RESTS | {ActKind.BRAKE, ActKind.CROSS, ActKind.SET_OFF},
     ActKind.GIVE_WAY: _RESTS | {ActKind.BRAKE, ActKind.ENTER, ActKind.SET_OFF},
-    ActKind.SET_OFF: _ASIDE
+    ActKind.SET_OFF: LEAVING
     | {ActKind.WAIT, ActKind.GIVE_WAY, ActKind.ACCELERATE, ActKind.TURN, ActKind.ENTER},
-    ActKind.CHANGE_LANE: _ASIDE,
-    ActKind.SWERVE: _ASIDE,
+    ActKind.CHANGE_LANE: LEAVING,
+    ActKind.SWERVE: LEAVING,
 }
 """Acts by which another is seen to happen as well."""
 _MOVES = {

@@ -29,7 +29,7 @@ JOINING = "joining"
 _FEWEST_WITH_A_MIDDLE = 3
 _ASIDE = frozenset({ActKind.CHANGE_LANE, ActKind.OVERTAKE})
 _BRAKING = frozenset({HazardKind.HARD_BRAKING, HazardKind.DELAYED_BRAKING, HazardKind.STOPPING})
-_TWO_WHEELED = frozenset({ParticipantKind.BICYCLE, ParticipantKind.MOTORCYCLE})
+TWO_WHEELED = frozenset({ParticipantKind.BICYCLE, ParticipantKind.MOTORCYCLE})
 _ABREAST = "nobody rides beside another in one lane; one is behind the other instead"
 _UNSETTLED = "from which side lanes are counted is not said, so the number names none"
 
@@ -106,7 +106,6 @@ def _in_the_same_lane(entity: Entity, ego: Entity, *, passed: bool) -> None:
     if same or (ego.start_lane is None and (passed or met or entity.stands is not None)):
         reason = "the ego goes over to pass it" if passed else "who is met in the lane is ahead"
         reason = "in the lane of the ego" if same else reason
-        entity.beside = entity.in_next_lane = None
         behind = {Approach.BEHIND} if same and along == {Approach.BEHIND} else None
         entity.comes_from(behind or {Approach.AHEAD}, entity.start_lane[1].because(reason))
 
@@ -195,7 +194,7 @@ def side_by_side(relations: list[Placed], draft: Draft) -> list[Placed]:
         alike = entity.approaches == reference.approaches
         in_lane = alike and entity.approaches in ({Approach.AHEAD}, {Approach.BEHIND})
         if approaches == {Approach.ADJACENT} and in_lane:
-            if {entity.kind, reference.kind} <= _TWO_WHEELED:
+            if {entity.kind, reference.kind} <= TWO_WHEELED:
                 draft.note_at(basis, _ABREAST)
                 continue
             entity.approaches = set()

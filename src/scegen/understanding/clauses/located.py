@@ -54,7 +54,6 @@ def own_lane(event: Event, prep: Prep) -> bool:
 
 
 _BESIDE_THE_ROAD = frozenset({"access", "bus_stop", "parking", "feature"})
-_ARMS = frozenset({"leg", "road"})
 _BY_ROAD = frozenset({"from", "into"})
 _LEADING = frozenset({"in", "into", "to", "for"})
 
@@ -72,7 +71,7 @@ def side_of_place(noun: NounPhrase, state: State) -> bool:
         if place.prep is None or place.prep.cat != "locus":
             return place.has("quantity")  # "with 50 % overlap on the left side"
     elif isinstance(place, Place):
-        arm = place.kind in _ARMS and place.stands_after(*_BY_ROAD) and place.owner is None
+        arm = place.kind in _ROADS and place.stands_after(*_BY_ROAD) and place.owner is None
         arm = arm and bool({"left", "right"} & set(noun.dirs)) and noun.stands_after("in", "to")
         beside = place.kind in _BESIDE_THE_ROAD and not noun.stands_after("from")
         beside = beside or arm or _lane_beside(place, noun, state)

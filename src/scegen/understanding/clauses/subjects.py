@@ -97,8 +97,8 @@ def _said_of_a_thing(event: Event, state: State) -> None:
         if passive:
             event.passive, event.object = event.name in word_list("done_to"), topic
     elif topic is not None and (event.name in _OF_PARTS or state.at(1).value == "into"):
-        loose = event.name == "lose_control"  # "I braked and the back end let go"
-        its = state.main if loose or topic.has("possessive", "its") else []
+        known = topic.has("possessive", "its") or event.name == "lose_control"
+        its = state.main if known else []  # "I braked and the back end let go"
         its = [teller_at(topic.i)] if topic.has("possessive", "first_person") else its
         # "the front of the van struck …", "its front appears …", "my bumper runs into …"
         event.subject = [topic.owner] if topic.owner is not None else its

@@ -127,9 +127,6 @@ class Chunker:
         head = self._term(m)
         owner = self._owner()
         if head.cat == "actor":
-            several = bool(mods) and mods[-1].data.get("number", 0) > 1
-            if "ego" in head.data and head.form == "base" and several:
-                return None  # "#21 ego 50 km/h": the number of the case
             ours = self._tokens[head.i].low in word_list("first_person")
             if ours and any(m.cat in _STRAY or (m is mods[-1] and m.cat == "det") for m in mods):
                 return self._bare(mods, k)  # "so close I can't see it", "after that our car brakes"

@@ -29,7 +29,8 @@ def touching(chunks: list[Chunk], k: int) -> list[Chunk]:
     after = chunks[k : min((m for m in marks if m >= k), default=len(chunks))]
     if chunks[k].value == "into" and _owned(before) and _of_bodies(before + after[1:]):
         return [Event("collide", at, at, "s", lemma="hit")]
-    if opens and _of_bodies(after):
+    # not "…, parked cars both sides"
+    if opens and _of_bodies(after) and getattr(after[0], "possessor", True):
         aside = all(c.kind == "side" and c.owner is None for c in after if isinstance(c, Place))
         doing = [] if aside else [Event("collide", at, at, "base", nominal=True)]
         return [*doing, Term("prep", "in", at, at)]  # "…, right side": there it is

@@ -18,7 +18,7 @@ from scegen.understanding.reference.egos import (
     the_teller,
     with_the_ranked,
 )
-from scegen.understanding.reference.known import known
+from scegen.understanding.reference.known import A_PAIR, known
 from scegen.understanding.reference.mention_words import (
     Reading,
     is_pronoun,
@@ -35,7 +35,6 @@ from scegen.understanding.reference.roster import Group, Roster, opened, vehicle
 from scegen.understanding.words.tokens import low_at
 
 _MOST = 20
-_A_PAIR = 2
 
 
 def resolve(
@@ -127,7 +126,7 @@ def _of_two(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Ent
     cars = [e for e in here if e.kind is ParticipantKind.CAR]  # besides a lorry
     meant = [cars] if words in word_list("two_cars") else [here]
     named = (*meant, [e for e in here if e.is_vehicle], roster.joined, roster.others(exclude))
-    return next((list(two) for two in named if told and len(two) == _A_PAIR), [])
+    return next((list(two) for two in named if told and len(two) == A_PAIR), [])
 
 
 def _share(roster: Roster, mention: Mention, whole: list[Entity]) -> list[Entity]:
@@ -214,6 +213,6 @@ def _noun(
     numbered = numbered and not (reading.dirs or mention.pps or mention.prep is not None)
     both = mention.opened_by("both") or "both" in mention.marks
     both = both or (mention.opened_by("def") and numbered)
-    if both and len(found) == _A_PAIR:
+    if both and len(found) == A_PAIR:
         roster.groups[-1].both = True
     return found

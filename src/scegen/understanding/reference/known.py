@@ -17,7 +17,7 @@ from scegen.understanding.reference.mention_words import (
 )
 from scegen.understanding.reference.roster import Roster
 
-_A_PAIR = 2
+A_PAIR = 2
 _LOOKS_WITHIN = 3
 """Words in which a driver "who looks forward" is said to."""
 
@@ -111,7 +111,7 @@ def _several(
         if all(roster.compatible(e, reading) for e in group.members):
             return list(group.members)
     fitting = _compatible(roster, reading)
-    pair = mention.mod("num") is None or reading.count == _A_PAIR
+    pair = mention.mod("num") is None or reading.count == A_PAIR
     if reading.det == "def" and pair and len(fitting) == 1 and not fitting[0].ego:
         moving = not (reading.dirs or reading.parked or fitting[0].parked)
         if moving and fitting[0].is_vehicle and roster.draft.ego is None:  # "between the vehicles"

@@ -9,12 +9,11 @@ from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.doings_named import teller_at
 from scegen.understanding.phrases.lookahead import chunk_at, value_at
-from scegen.understanding.reference.mention_words import KINDS, mine, tells
+from scegen.understanding.reference.mention_words import ENDS, KINDS, mine, tells
 from scegen.understanding.words.terms import Term
 from scegen.understanding.words.tokens import Token
 
 _BY_TRADE = frozenset({"bus", "truck", "van", "car", "emergency_vehicle", "motorcycle", "bicycle"})
-_ENDS = frozenset({"ahead", "behind"})
 _STEERED = frozenset({"move", "turn", "u_turn", "stop", "slow", "brake", "park", "swerve"})
 
 
@@ -26,10 +25,10 @@ def whole_for_part(chunks: list[Chunk], _: object) -> list[Chunk]:
         whole = part if isinstance(part, Thing) else flank
         owner = whole.owner if whole is not None else None
         own = flank.mod("possessive") if flank is not None else None
-        if own is not None and value_at(chunks, k - 1) in _ENDS:
+        if own is not None and value_at(chunks, k - 1) in ENDS.values():
             it = Mention(part.i, part.j, [], own, pronoun="it")
             found.append(teller_at(part.i) if own.value == "first_person" else it)
-        elif owner is not None and value_at(chunks, k - 2) in _ENDS:
+        elif owner is not None and value_at(chunks, k - 2) in ENDS.values():
             owner.possessor = False
         else:
             found.append(part)

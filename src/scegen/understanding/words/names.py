@@ -182,7 +182,7 @@ def of_no_known_kind(terms: list[Term], tokens: list[Token]) -> list[Term]:
     nouns = {
         k: tokens[terms[k].i] for k in unknown if cat_at(terms, _opener(terms, k)) in _FIRST_WORDS
     }
-    done = {n.low: does for k, n in nouns.items() if (does := _done(terms, k, _number(n)))}
+    done = {n.low: does for k, n in nouns.items() if (does := _done(terms, k, tokens))}
     found = list(terms)
     for k, noun in nouns.items():  # "follows the EVT until the EVT brakes"
         if does := done.get(noun.low):
@@ -220,20 +220,24 @@ def _opener(terms: list[Term], k: int) -> int:
     return k
 
 
-def _done(terms: list[Term], k: int, number: str) -> str | None:
+def _done(terms: list[Term], k: int, tokens: list[Token]) -> str | None:
     """The list of events of which one is done by it, or to it."""
-    verb = term_at(terms, k + 1)
+    verb, noun = term_at(terms, k + 1), tokens[terms[k].i]
     governed = cat_at(terms, _opener(terms, k) - 1) in _GOVERNING  # "a kid on a BMX shoots out"
-    forms = {"base", "ed"} if number == "s" else {"s", "ed"}
-    if verb.cat == "verb" and verb.form in forms and not governed:
+    forms = {"base", "ed"} if _number(noun) == "s" else {"s", "ed"}
+    past = verb.form in forms or tokens[verb.i].low in word_list("alike_in_the_past")
+    if verb.cat == "verb" and past and not governed:
         return next((name for name in _READ_AS if verb.value in word_list(name)), None)
-    return "driving" if _suffers(terms, k) else None
+    return "driving" if _suffers(terms, k, proper=noun.text.istitle()) else None
 
 
-def _suffers(terms: list[Term], k: int) -> bool:
-    """``overtakes a Transit``, unless a compound goes on."""
+def _suffers(terms: list[Term], k: int, *, proper: bool) -> bool:
+    """``overtakes a Transit``, ``is hit by an Iveco``, unless a compound goes on."""
     opener = _opener(terms, k)
     verb, after = term_at(terms, opener - 1), cat_at(terms, k + 1)
+    if proper and verb.value == "by":
+        done = [t.value for t in terms[:opener] if t.cat == "verb"][-1:]
+        return not word_list("done_to_somebody").isdisjoint(done)
     ends = after in {"", "punct", "conj", "prep", "locus", "sub", "verb", "rel"}
     met = verb.cat == "verb" and verb.value in word_list("met_driving")
     return ends and met and terms[opener].value == "indef"
