@@ -167,7 +167,7 @@ def moment(figure: Figure, measure: Measure, one: Entity, other: Entity) -> Doin
     text, start = figure.text, figure.start
     acts = [a for a in text.found.acts if a.entity in (one, other)]
     if measure is Measure.LATERAL_GAP_M:
-        passing = [a for a in acts if a.kind is ActKind.OVERTAKE and start <= a.i < figure.end]
+        passing = [a for a in acts if a.kind is ActKind.OVERTAKE and a.i < figure.end]
         return passing[-1] if passing else START
     begun = _as_it_begins(figure, acts)
     starts = text.find("starts", start, figure.end) is not None and not begun

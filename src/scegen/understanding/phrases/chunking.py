@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import pairwise
+from itertools import pairwise, takewhile
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.lexicon import word_list
@@ -200,6 +200,11 @@ class Chunker:
         whole = first.cat == "quant" and first.value in {"both", "all"}
         if not whole or len(mods) != 1 + len(counted):
             return None
+        opens = first.value == "both" and not any(isinstance(c, Mention) for c in self._chunks)
+        rest = takewhile(lambda t: t.value not in {".", ";"}, self._terms[k:])
+        if opens and all(t.cat != "actor" for t in rest):  # "Both at 80 km/h. …": two cars
+            car = Term("actor", "car", first.i, first.j, "s", data={})
+            return self._add(Mention(first.i, first.j, mods, car, heads=[car]), k + 1)
         return self._stand_alone(mods, first.value, k)
 
     def _term(self, k: int) -> Term:
