@@ -51,6 +51,9 @@ def read_mention(mention: Mention, state: State) -> None:
     within = state.awaits("of") or (state.prep is not None and state.prep.word.cat == "locus")
     state.topic = state.topic if within else None  # "the view of the road is blocked"
     if mention.possessor:
+        owned = state.at(1)
+        lent = isinstance(owned, Mention | Thing) and mention.opened_by("indef")
+        mention.negated |= lent and mention.noun == "pedestrian"  # "a child's scooter lies there"
         return
     if state.prep is not None:
         _prepositional(mention, state.prep, state)
