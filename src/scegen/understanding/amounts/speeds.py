@@ -38,7 +38,11 @@ def held(figure: Figure) -> bool:
         able = _able(figure, [text.ego]) or meant or [text.ego]
     others = [e for e in able if e.speed not in (None, speed)]
     again = [e for e in able if e.speed_basis and figure.start <= (e.speed_basis.i or 0)]
-    if able and all(e in others or e in again for e in able):
+    own = figure.verb.i if figure.verb is not None and figure.verb.finite else 0
+    whose_own = any(0 <= figure.i - m.j <= 1 and m.heads and not m.is_me for m in text.mentions)
+    anew = any(e.speed_basis and (e.speed_basis.i or 0) < own for e in others)
+    anew = anew and not whose_own  # "sits behind us at 80, then passes at 90", not "a van at 90"
+    if able and not anew and all(e in others or e in again for e in able):
         named = reversed(text.spoken_of(figure.start, figure.i))  # "beside a truck, also 100 km/h"
         able = [e for e in named if e.speed is None and not e.still][:1] or able
     for entity in able:
