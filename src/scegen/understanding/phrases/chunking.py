@@ -202,7 +202,8 @@ class Chunker:
             return None
         opens = first.value == "both" and not any(isinstance(c, Mention) for c in self._chunks)
         rest = takewhile(lambda t: t.value not in {".", ";"}, self._terms[k:])
-        if opens and all(t.cat != "actor" for t in rest):  # "Both at 80 km/h. …": two cars
+        opens = opens and all(t.cat != "actor" for t in rest)
+        if opens and not any("ego" in t.data for t in self._terms[k:]):  # "Both at 80 km/h. …"
             car = Term("actor", "car", first.i, first.j, "s", data={})
             return self._add(Mention(first.i, first.j, mods, car, heads=[car]), k + 1)
         return self._stand_alone(mods, first.value, k)
