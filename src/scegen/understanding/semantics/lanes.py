@@ -45,14 +45,15 @@ def owners(lane: Place | None, clause: Clause, context: Context) -> list[Entity]
         return []
     if lane.owner is not None:
         return lane.owned_by
-    kept = any(m.value == "same" for m in lane.mods)
     others = [e for e in context.draft.entities if e.moving_vehicle and e not in clause.actors]
     named = [d for d in lane.dirs if d in SIDES]
     there = [e for e in others if e.ego and e.start_lane and e.start_lane[0] in named]
     if there and lane.kind == "lane":
         return there  # "the ego in the right lane …, a car changes to the right lane"
-    its = [e for e in others if e.ego or (lane.kind == "path" and len(others) == 1)]
-    return its if lane.has("possessive") and not kept else []
+    his = context.tokens[lane.i].low in word_list("somebodys")  # "came into his lane"
+    meant = [e for e in others if lane.kind == "path" or (his and "somebody" in e.named_by)]
+    its = [e for e in others if e.ego] or (meant if len(others) == 1 else [])
+    return its if lane.has("possessive") and "same" not in {m.value for m in lane.mods} else []
 
 
 def _head_on(clause: Clause, place: Place | None, context: Context) -> bool:

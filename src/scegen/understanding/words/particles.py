@@ -16,9 +16,8 @@ def just_right(tokens: list[Token], i: int, previous: Term) -> bool:
     """``right behind``, ``right past``, ``right in front of``: no way, except after a turn."""
     if tokens[i].low != "right" or previous.cat in {"", "det"}:
         return False
-    after = low_at(tokens, i + 1)
-    located = begins(tokens, i + 1, "locus") or after == "across"
-    located = located or (after in word_list("particles") and previous.cat == "verb")
+    particle = low_at(tokens, i + 1) in word_list("particles") and previous.cat == "verb"
+    located = particle or begins(tokens, i + 1, "locus")
     return located and not previous.value.endswith("turn")
 
 
