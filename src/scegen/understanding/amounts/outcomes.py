@@ -17,7 +17,7 @@ from scegen.understanding.amounts.contact_nouns import (
 from scegen.understanding.amounts.figures import Figure
 from scegen.understanding.amounts.struck import fully_told
 from scegen.understanding.amounts.telling import Telling
-from scegen.understanding.chunks import Event, Mention, Place, Thing
+from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Thing
 from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Amount, Apart, Ending
 from scegen.understanding.lexicon import word_list
@@ -237,7 +237,8 @@ def _between(scene: Clause, text: Telling) -> list[Entity]:
     nobody = any(m.pronoun in _NOBODY for m in scene.event.subject)
     if nobody and len(text.draft.entities) > _PAIR:
         return []  # none of them touches any other
-    into = goal_of_contact(scene, text.context) or scene.event.object  # "hits the rear of his van"
+    met = (n for n in scene.event.nouns("with") if isinstance(n, NounPhrase))
+    into = goal_of_contact(scene, text.context) or next(met, None)  # "hits the rear of his van"
     if any(isinstance(n, Thing) and lies_there(n, text.context) for n in scene.event.nouns()):
         return []  # "avoids the pallet" that a lorry has lost
     who = [*scene.actors, *(scene.targets or touched(into, scene, text.context))]
