@@ -104,7 +104,7 @@ def _lane_beside(lane: Place, side: Place, state: State) -> bool:
 
 
 _SIDES = frozenset({"side", "direction", "lane", "sidewalk", "shoulder", "bike_lane", "access",
-                    "parking", "bus_stop", "signal", "stop_sign", "stop_line",
+                    "parking", "bus_stop", "signal", "stop_sign", "stop_line", "ramp",
                     "yield_sign"})  # fmt: skip
 _ASIDE_OF_THE_ROAD = frozenset({"side", "sidewalk", "shoulder", "bus_stop", "parking"})
 RESTING = frozenset({("park", "ed"), ("park", "ing"), ("wait", "ing"), ("stop", "ed")})
