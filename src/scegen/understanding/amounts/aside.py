@@ -18,10 +18,11 @@ from scegen.understanding.semantics.context import Clause, Context
 from scegen.understanding.semantics.patterns import people
 from scegen.understanding.words.tokens import low_at
 
-_REACH, _SIDE_REACH = 10, 14
+_REACH, _SIDE_REACH, _PAIR = 10, 14, 2
 _WHOLE = 100.0
 _BODY = frozenset({"front", "side", "portion"})
-_ALONG, _BESIDE = frozenset({"ahead", "behind"}), {Approach.ADJACENT}
+_ALONG, _BESIDE = frozenset({"ahead", "behind", "between"}), {Approach.ADJACENT}
+_NEXT = {Approach.ADJACENT, Approach.LEFT, Approach.RIGHT}
 SIDE_WORDS = {f"{s}{end}": s for s in ("left", "right") for end in ("", "ward", "wards")}
 
 
@@ -205,6 +206,8 @@ def _into(doing: Doing, scene: Clause, context: Context) -> None:
     apart = context.junction.crossing or joins
     if near and named and not apart and named[0].moving_vehicle:
         _beside_whom(doing, named[0], near[0], context)
+        if near[0].value == "between" and doing.entity.ego and len(named) == _PAIR:
+            context.draft.place(named[1], named[0], {Approach.BEHIND}, named[1].basis)
 
 
 def _is_there(entity: Entity, phrase: Prep, context: Context) -> bool:
@@ -234,13 +237,14 @@ def _beside_whom(doing: Doing, other: Entity, phrase: Prep, context: Context) ->
 
     Who comes in behind another is so from the start, unless it lets that one by.
     """
-    draft, behind = context.draft, phrase.value == "behind"
+    draft, own = context.draft, doing.entity.ego
+    behind = phrase.value == "behind" or (own and phrase.value == "between")
     who, seen = (other, Approach.AHEAD) if doing.entity.ego else (doing.entity, Approach.BEHIND)
     told = [p for p in draft.placements if other in (p.entity, p.reference) or who is p.entity]
     said = [p.approaches for p in told if p.basis.i != phrase.word.i]
     if doing.entity.ego and not behind:  # "in front of a van that comes up from behind"
         said = [approaches for approaches in said if approaches != {Approach.BEHIND}]
-    if not (doing.entity.ego or (behind and other.ego)) or any(a != _BESIDE for a in said):
+    if not (doing.entity.ego or (behind and other.ego)) or any(a - _NEXT for a in said):
         return
     basis = Basis(phrase.word.i, other.basis.j)
     if not said:

@@ -32,7 +32,12 @@ from scegen.understanding.building.in_lane import (
 )
 from scegen.understanding.building.layout import Layout
 from scegen.understanding.building.unsaid import maneuvers_of, some_of
-from scegen.understanding.building.viewpoint import settle_arms, settle_positions, settle_roads
+from scegen.understanding.building.viewpoint import (
+    next_to,
+    settle_arms,
+    settle_positions,
+    settle_roads,
+)
 from scegen.understanding.building.writing import Proofs, Writer
 from scegen.understanding.draft import Danger, Draft
 from scegen.understanding.entity import Basis, Entity
@@ -234,7 +239,7 @@ class Builder:
     def _in_next_lane(self, entity: Entity) -> tuple[set[Approach], Basis] | None:
         """Whether it is ahead or behind there; where one comes in ahead, that is where it ends."""
         along = entity.in_next_lane
-        if along is None or entity.approaches != {Approach.ADJACENT}:
+        if along is None or not next_to(entity):
             return None
         into = [a.entity for a in self.happenings.acts if a.into is not None and a.into.ego]
         comes_in = entity in (*into, *self.draft.causing(*_COMING_IN))

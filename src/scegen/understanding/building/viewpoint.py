@@ -181,9 +181,14 @@ def _oriented(placement: Placement, ego: Entity) -> tuple[Entity, Entity, set[Ap
     return placement.entity, reference, set(placement.approaches)
 
 
+def next_to(entity: Entity) -> bool:
+    """Whether it is in a lane beside, on either side."""
+    return {Approach.ADJACENT} <= entity.approaches <= {Approach.ADJACENT, *_ASIDE}
+
+
 def allow(entity: Entity, approaches: set[Approach], basis: Basis) -> None:
     """Two statements narrow each other down; where they differ, both are allowed."""
-    if approaches and approaches <= _ALONG and entity.approaches == {Approach.ADJACENT}:
+    if approaches and approaches <= _ALONG and next_to(entity):
         entity.in_next_lane = entity.in_next_lane or (approaches, basis)
         return
     if not approaches or (approaches == {Approach.AHEAD} and entity.approaches - approaches):
