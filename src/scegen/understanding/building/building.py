@@ -242,6 +242,10 @@ class Builder:
         if along is None or not next_to(entity):
             return None
         into = [a.entity for a in self.happenings.acts if a.into is not None and a.into.ego]
+        ego, own = self.draft.ego, entity.speed
+        slower = own and ego is not None and ego.speed and own.high < ego.speed.low
+        if slower and entity.by_ramp is not None and along[0] == {Approach.BEHIND}:
+            return None  # "a truck at 80 km/h merges 20 m behind us": it falls back to there
         comes_in = entity in (*into, *self.draft.causing(*_COMING_IN))
         return None if comes_in and along[0] == {Approach.AHEAD} else along
 
