@@ -164,7 +164,7 @@ def test_who_does_not_stop_for_people_owes_it_to_them():
         ("The car ahead pulls over to the right and stops.", "pulls over"),
         ("Two passengers get off the bus and cross the road.", "get off"),
         ("A parked car opens the door on the kerb side.", "opens the door on the kerb side"),
-        ("A motorcycle splits lanes past the ego.", "splits lanes"),
+        ("A motorcycle splits lanes past the ego.", "splits lanes past the ego"),
         ("An ambulance drives through the rescue lane; the ego stands.", "rescue lane"),
         ("A car changes two lanes to the left in front of the ego.", "changes"),
         ("The van from the right enters the junction and the ego has to brake.", "brake"),
