@@ -11,7 +11,7 @@ from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.terms import NOTHING, Term, cat_at, noun_follows, term_at
 from scegen.understanding.words.tokens import Token, low_at
 
-_LABELLED = re.compile(r"^(?:v|veh|u|d|t|car|cv|obj|tgt|gvt)\d{1,2}$")
+_LABELLED = re.compile(r"^(?:v|veh|u|d|t|tp|car|cv|obj|tgt|gvt)\d{1,2}$")
 _WALKER = re.compile(r"^(?:p|ped)\d{1,2}$")
 _LONGEST = 4
 """So many words a name of a road has, at most."""
