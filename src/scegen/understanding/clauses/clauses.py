@@ -14,6 +14,7 @@ from scegen.understanding.clauses import subjects
 from scegen.understanding.clauses.attachment import outside, preposition, release, shown
 from scegen.understanding.clauses.dependents import chain
 from scegen.understanding.clauses.further import close_relative
+from scegen.understanding.clauses.located import is_it
 from scegen.understanding.clauses.nominals import premodifiers, read_mention, read_noun
 from scegen.understanding.clauses.state import State, only_then
 from scegen.understanding.phrases.lookahead import (
@@ -134,7 +135,7 @@ class ClauseReader:
         """``the next lane, where a van drives``: the van is in that lane."""
         places = [c for c in self._state.before(2) if isinstance(c, Place)]
         for place in places[-1:]:
-            if place.kind in _LANES:
+            if place.kind in _LANES and not is_it(self._state.at(1)):  # who gets there itself
                 word = Term("prep", "in", place.i, place.i + 1)
                 self._state.fronted.append(Prep(word, place, fronted=True))
 
