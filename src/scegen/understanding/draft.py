@@ -1,7 +1,5 @@
 """The scenario in the making: participants with what is known of them, and why."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from typing import Any
 

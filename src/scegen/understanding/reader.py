@@ -1,7 +1,5 @@
 """The offline reader: English text to a functional scenario, by rules and a lexicon."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 from scegen.errors import InputError

@@ -1,7 +1,5 @@
 """The agents' parts put together: one scenario, every field with words that the text really has."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

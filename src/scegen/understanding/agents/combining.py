@@ -5,8 +5,6 @@ reading: the agents know better whose a word is. Only of what rests on the same 
 agents pass them over, the reader's value stands: it knows better what a word or a number means.
 """
 
-from __future__ import annotations
-
 from scegen.scenario.environment import Environment
 from scegen.scenario.functional import FunctionalScenario
 from scegen.understanding.agents.comparing import compare_hazards, compare_people

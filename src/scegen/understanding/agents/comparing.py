@@ -1,7 +1,5 @@
 """Participants and dangers of reader and agents, compared one by one where both mean the same."""
 
-from __future__ import annotations
-
 from collections import Counter
 from typing import Any
 

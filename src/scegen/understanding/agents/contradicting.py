@@ -1,7 +1,5 @@
 """A text that contradicts itself: a model may say how it reads it, but not pass over it."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from scegen.errors import InfeasibleError, InputError

@@ -1,7 +1,5 @@
 """One fact at a time: whose value stands, why, and what becomes of the evidence."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

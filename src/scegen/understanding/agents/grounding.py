@@ -1,7 +1,5 @@
 """What every field of the agents' answers rests on: words that the text has, or a reason."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator
 

@@ -1,7 +1,5 @@
 """Numbers of the text: none gets lost, and where both read one differently the reader's stands."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from scegen.scenario.evidence import Unsupported

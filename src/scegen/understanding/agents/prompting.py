@@ -1,7 +1,5 @@
 """Prompts: short files, with the definitions filled in from the code so that they never drift."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping
 from enum import StrEnum
 from functools import lru_cache

@@ -1,7 +1,5 @@
 """Quotes: words that a model says the text has, looked up in the text."""
 
-from __future__ import annotations
-
 import re
 
 from scegen.understanding.agents.stated import Words

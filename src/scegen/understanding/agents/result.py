@@ -1,7 +1,5 @@
 """What understanding with language models gives: a scenario, who spoke, and what it took."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any

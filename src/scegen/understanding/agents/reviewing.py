@@ -1,7 +1,5 @@
 """What the reviewer is shown: the scenario, what each field rests on, what its words mean."""
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Iterable, Iterator

@@ -1,7 +1,5 @@
 """The team: agents for the parts side by side, the reviewer after them, and rounds between."""
 
-from __future__ import annotations
-
 import asyncio
 from collections.abc import Awaitable, Callable, Iterable, Sequence
 from dataclasses import dataclass

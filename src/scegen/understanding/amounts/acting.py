@@ -1,7 +1,5 @@
 """What somebody does as acts, in the order of the text."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from itertools import product
 

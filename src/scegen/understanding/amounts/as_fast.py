@@ -1,7 +1,5 @@
 """Speeds by those of others: as fast as somebody, so much faster, in front of who is faster."""
 
-from __future__ import annotations
-
 from scegen.scenario.acts import SLOWING, ActKind
 from scegen.scenario.model import Interval
 from scegen.scenario.spacings import Measure

@@ -1,7 +1,5 @@
 """To which side, and how far: of who leaves its lane, and of distances from a line."""
 
-from __future__ import annotations
-
 from scegen.scenario.acts import ActKind
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.model import Interval

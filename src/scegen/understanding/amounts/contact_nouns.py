@@ -1,7 +1,5 @@
 """How it ends, as nouns and set phrases tell it: "no crash", "until impact", "a near miss"."""
 
-from __future__ import annotations
-
 from scegen.scenario.outcome import OutcomeKind
 from scegen.understanding.amounts.telling import Telling
 from scegen.understanding.chunks import Event, Mention

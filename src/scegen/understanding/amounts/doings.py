@@ -1,7 +1,5 @@
 """Numbers that say how an act is done: how hard, how fast at the end, how long, how far aside."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from scegen.scenario.acts import ActKind

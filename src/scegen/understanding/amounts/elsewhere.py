@@ -1,7 +1,5 @@
 """Numbers of what takes no part: ``the wind speed is 15 m/s``, ``an exit is 300 m ahead``."""
 
-from __future__ import annotations
-
 from scegen.understanding.amounts.figures import Figure, has_a_size
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.lexicon import word_list

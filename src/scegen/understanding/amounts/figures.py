@@ -1,7 +1,5 @@
 """A number as a clause: in which part of the text it stands, whose it is, what follows it."""
 
-from __future__ import annotations
-
 from functools import cached_property
 from typing import Any
 

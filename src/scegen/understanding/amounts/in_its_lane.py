@@ -1,7 +1,5 @@
 """Where in its lane somebody is, or how one reaches into it from the side."""
 
-from __future__ import annotations
-
 from scegen.scenario.acts import RESTING, ActKind
 from scegen.scenario.model import Interval
 from scegen.scenario.spacings import Measure

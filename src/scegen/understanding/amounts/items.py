@@ -1,7 +1,5 @@
 """Things on the road and beside it, what they hide; how large they and those who drive are."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from scegen.scenario.bodies import LENGTHS_M, WIDTHS_M

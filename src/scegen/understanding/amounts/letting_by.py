@@ -1,7 +1,5 @@
 """Whom somebody lets go first, and who goes on after a stop."""
 
-from __future__ import annotations
-
 from scegen.scenario.acts import ActKind
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver
 from scegen.understanding.amounts.telling import Telling

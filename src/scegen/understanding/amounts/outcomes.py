@@ -1,7 +1,5 @@
 """How it ends: who touches whom, nearly or not at all, and where on the ego."""
 
-from __future__ import annotations
-
 from scegen.scenario.acts import ActKind
 from scegen.scenario.model import Interval
 from scegen.scenario.outcome import OutcomeKind

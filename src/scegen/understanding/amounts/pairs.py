@@ -1,7 +1,5 @@
 """Between whom a distance or a time lies, and who of two is said to be in front."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from itertools import pairwise
 

@@ -1,7 +1,5 @@
 """Distances, headways, offsets and overlaps between two, and when they are as said."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from scegen.scenario.acts import ENTERING, ActKind

@@ -1,7 +1,5 @@
 """Reads all numbers of a text, by rows, what is done, and how it ends; then what that means."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator
 from functools import cache, lru_cache
 from typing import Any

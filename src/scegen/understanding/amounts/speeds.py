@@ -1,7 +1,5 @@
 """Speeds in numbers: of whom they are said, by the words around or who acts in the clause."""
 
-from __future__ import annotations
-
 from scegen.scenario.acts import ActKind
 from scegen.scenario.bodies import BODIES
 from scegen.scenario.model import Interval

@@ -1,7 +1,5 @@
 """Where on the ego somebody touches it: which side, which half of its front, its middle."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 from scegen.scenario.model import Interval

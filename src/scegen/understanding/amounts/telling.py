@@ -1,7 +1,5 @@
 """A text as all who read amounts see it: its sentences, who is spoken of, what is found so far."""
 
-from __future__ import annotations
-
 from bisect import bisect_left
 from collections.abc import Collection
 from functools import cache

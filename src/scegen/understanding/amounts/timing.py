@@ -1,7 +1,5 @@
 """When acts happen by the clock: so long after the start, or after another act."""
 
-from __future__ import annotations
-
 from collections.abc import Collection
 
 from scegen.scenario.acts import ActKind

@@ -1,7 +1,5 @@
 """Who and what is on and beside the lanes: in the way, abreast, on strips, on a ramp."""
 
-from __future__ import annotations
-
 from typing import TypeAlias
 
 from scegen.scenario.outcome import OutcomeKind

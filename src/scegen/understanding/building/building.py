@@ -1,7 +1,5 @@
 """Builds the scenario from the draft: participants, hazards, and what is left over."""
 
-from __future__ import annotations
-
 from collections.abc import Collection
 from dataclasses import dataclass, field
 from typing import Any

@@ -1,7 +1,5 @@
 """Chooses the ego where the text does not name it: who is tested, met, seen or endangered."""
 
-from __future__ import annotations
-
 from scegen.scenario.roadway import Strip
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.draft import Danger, Draft

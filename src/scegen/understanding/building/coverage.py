@@ -1,7 +1,5 @@
 """Nothing is dropped silently: words that changed no field, doings that nothing shows."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from scegen.scenario.acts import LEAVING, ActKind

@@ -1,7 +1,5 @@
 """How many lanes the road has, and in which somebody is: ahead in the lane, in one of several."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 from scegen.errors import InfeasibleError

@@ -1,7 +1,5 @@
 """Builds the junction: its shape, arms, lanes and control, as said or as implied."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from scegen.scenario.bends import Bend

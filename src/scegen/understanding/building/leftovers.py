@@ -1,7 +1,5 @@
 """Reports words that matter but that no field holds, and words that no rule understood."""
 
-from __future__ import annotations
-
 from itertools import groupby
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place

@@ -1,7 +1,5 @@
 """What participants do of whom the text names no maneuver, or of whom no matter which do it."""
 
-from __future__ import annotations
-
 from collections import Counter
 
 from scegen.scenario.functional import Group

@@ -1,7 +1,5 @@
 """Restates every position as seen from the ego; what is said of one place goes together."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterator
 
 from scegen.scenario.control import controlled_arms

@@ -1,7 +1,5 @@
 """Attaches prepositional phrases: to the noun right before them, or to the verb."""
 
-from __future__ import annotations
-
 from scegen.understanding.chunks import Event, Mention, Place, Prep
 from scegen.understanding.clauses.further import located
 from scegen.understanding.clauses.located import is_it, opens_clause

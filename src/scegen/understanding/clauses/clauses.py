@@ -7,8 +7,6 @@ these decide who acts in participles ("a car turning left"), infinitives ("tries
 "forcing the van to stop"), coordinations, relative clauses and clauses without a subject.
 """
 
-from __future__ import annotations
-
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.clauses import subjects
 from scegen.understanding.clauses.attachment import outside, preposition, release, shown

@@ -1,7 +1,5 @@
 """Nouns and verbs joined by "and", "or" or commas: what they share, and what is shared out."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from itertools import groupby
 

@@ -1,7 +1,5 @@
 """Verbs that make no clause of their own: nouns of events, infinitives, gerunds."""
 
-from __future__ import annotations
-
 from scegen.understanding.chunks import Event, Mention, NounPhrase
 from scegen.understanding.clauses.state import State
 from scegen.understanding.phrases.doings_named import DONE_TO

@@ -1,7 +1,5 @@
 """Fills in verbs that are left out (``one goes left, the other right``), and who is meant again."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import islice, takewhile

@@ -1,7 +1,5 @@
 """What is said further of a noun: what else it is, parts of it, relative clauses."""
 
-from __future__ import annotations
-
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep
 from scegen.understanding.clauses.dependents import chain, depend
 from scegen.understanding.clauses.state import State

@@ -1,7 +1,5 @@
 """Where words put a noun: those after it, or before its clause; on which side a place lies."""
 
-from __future__ import annotations
-
 from typing import TypeGuard
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing

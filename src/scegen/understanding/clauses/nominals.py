@@ -1,7 +1,5 @@
 """Reads nouns within a clause: who acts, who is acted on, who is only named along the way."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep, Thing

@@ -1,7 +1,5 @@
 """What the clause reader remembers within a sentence."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field, replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Prep

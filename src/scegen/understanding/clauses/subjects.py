@@ -1,7 +1,5 @@
 """Finds the subject of a verb from the words before it."""
 
-from __future__ import annotations
-
 from scegen.understanding.chunks import Event, Mention, Place
 from scegen.understanding.clauses.coordination import auxiliary, coordinate, no_jam, told_beside
 from scegen.understanding.clauses.dependents import (

@@ -1,7 +1,5 @@
 """Loads the frames: what a number means by the words it stands with, what a verb is as an act."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cache, lru_cache
 from typing import Any

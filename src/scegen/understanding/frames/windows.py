@@ -1,7 +1,5 @@
 """What each number of a text is: the words around it, and which frame they make."""
 
-from __future__ import annotations
-
 from collections.abc import Collection
 from dataclasses import dataclass, replace
 from functools import cache

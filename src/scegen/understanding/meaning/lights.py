@@ -1,7 +1,5 @@
 """What lights show: whose they are, what they turn to, who goes by them; blue ones and sirens."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """How somebody drives or stands, in answer to what, and which rules that breaks."""
 
-from __future__ import annotations
-
 from scegen.scenario.vocabulary import Approach, Control, DrivingSide, HazardKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.draft import Draft

@@ -1,7 +1,5 @@
 """Applies the rows of meaning to the nouns and verbs of a text, in their order."""
 
-from __future__ import annotations
-
 from scegen.scenario.vocabulary import Approach, Maneuver
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep, Thing
 from scegen.understanding.clauses.located import own_lane

@@ -1,7 +1,5 @@
 """Where participants are or come from: "the oncoming car", "behind the van", "in a row"."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from itertools import combinations, pairwise, product
 

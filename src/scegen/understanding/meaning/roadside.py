@@ -1,7 +1,5 @@
 """Things on and beside the road: what blocks, what hides, also what no lexicon lists."""
 
-from __future__ import annotations
-
 from scegen.scenario.vocabulary import HazardKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.draft import Draft

@@ -1,7 +1,5 @@
 """Groups terms into noun phrases and events."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from itertools import pairwise, takewhile
 

@@ -1,7 +1,5 @@
 """Doings that a noun names: ``Braking of the lead car``, ``Cut-in from the left, ego 100 km/h``."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing

@@ -1,7 +1,5 @@
 """Headings and entries: "Car-to-car rear braking: …" names nobody new, "Ego: 50 km/h" tells."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """One by one: those who were counted (``two people, a woman and a man``), one from each side."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Prep

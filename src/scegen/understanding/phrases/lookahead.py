@@ -1,7 +1,5 @@
 """Looks ahead in the chunks: does a verb follow, and does it make a clause of its own?"""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from itertools import pairwise
 

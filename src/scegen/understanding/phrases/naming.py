@@ -1,7 +1,5 @@
 """Names: numbers and letters (``cars A and B``), and two that are one (``V1 (ego, a truck)``)."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from itertools import pairwise, takewhile
 

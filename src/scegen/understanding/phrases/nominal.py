@@ -1,7 +1,5 @@
 """Words before a noun that are adjectives only there, and verb forms: events, or nouns."""
 
-from __future__ import annotations
-
 from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.words.numbers import POSITIONS
 from scegen.understanding.words.terms import Term, term_at

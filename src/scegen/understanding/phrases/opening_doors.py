@@ -1,7 +1,5 @@
 """``its left door swings open``, ``a car door opens``: what one who is parked does."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing

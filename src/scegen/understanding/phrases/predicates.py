@@ -1,7 +1,5 @@
 """Words that stand for a verb, or make it another: ``Ego straight``, ``cuts the van off``."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place

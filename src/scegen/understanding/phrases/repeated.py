@@ -1,7 +1,5 @@
 """What is named again: "that lane", "the left one", "travelling there", "the truck in it"."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing

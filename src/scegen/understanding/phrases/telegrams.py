@@ -4,8 +4,6 @@ What is left out is put back before the clauses are read: "goes" before a bare d
 colon after a heading that says who or where, and who does what a noun names.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import islice

@@ -1,7 +1,5 @@
 """Parts of bodies that touch, and where: "our front into its tail", "10 % from its right"."""
 
-from __future__ import annotations
-
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Thing
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.doings_named import teller_at

@@ -1,7 +1,5 @@
 """Roads and courses told by how somebody drives: "the road that the ego turns into"."""
 
-from __future__ import annotations
-
 from scegen.scenario.vocabulary import CrossedArm
 from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.lexicon import word_list, word_lists

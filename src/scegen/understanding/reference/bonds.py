@@ -1,7 +1,5 @@
 """What the clauses say about whom a mention can mean."""
 
-from __future__ import annotations
-
 from collections import defaultdict
 from dataclasses import dataclass, field
 from itertools import pairwise, product

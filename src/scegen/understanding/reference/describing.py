@@ -7,8 +7,6 @@
   say which one is meant ("the car towing it").
 """
 
-from __future__ import annotations
-
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Chunk, Event, Mention, NounPhrase, Place, Prep, Thing
 from scegen.understanding.clauses.located import is_it

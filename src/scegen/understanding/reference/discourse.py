@@ -1,7 +1,5 @@
 """Decides whom a mention refers to: somebody new, or somebody already known."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind

@@ -1,7 +1,5 @@
 """Which participant is the ego: the one called so, or one of those named together, by its place."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 from scegen.scenario.vocabulary import ParticipantKind

@@ -1,7 +1,5 @@
 """Nobody, everybody, and nobody in particular: ``no driver``, ``red for cross traffic``."""
 
-from __future__ import annotations
-
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place, Thing
 from scegen.understanding.draft import Draft

@@ -1,7 +1,5 @@
 """Whom an "it" cannot mean, by what the clauses around it say, and which is the same as another."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from itertools import pairwise, product
 

@@ -1,7 +1,5 @@
 """Which of those who are known a noun means: by name, number, order, place and kind."""
 
-from __future__ import annotations
-
 from scegen.scenario.vocabulary import ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.clauses.located import as_the_ego_sees, loci_of

@@ -1,7 +1,5 @@
 """What the words of a mention say about whom it refers to: kind, number, names, places."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 
 from scegen.scenario.vocabulary import ON_FOOT, ParticipantKind

@@ -1,7 +1,5 @@
 """Whose car it is: people who stand for what they drive, parts for the whole, and who tells it."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 from scegen.scenario.vocabulary import ParticipantKind

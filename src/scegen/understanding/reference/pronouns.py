@@ -1,7 +1,5 @@
 """Decides whom "it", "they", "one", "the other", "the second" and the like mean."""
 
-from __future__ import annotations
-
 from scegen.scenario.vocabulary import ANIMALS, ParticipantKind
 from scegen.understanding.chunks import Mention
 from scegen.understanding.clauses.located import loci_of

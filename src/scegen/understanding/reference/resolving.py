@@ -1,7 +1,5 @@
 """Resolves the mentions of a text in their order, with what the clauses say about them."""
 
-from __future__ import annotations
-
 from itertools import pairwise, product, takewhile
 
 from scegen.scenario.vocabulary import ParticipantKind

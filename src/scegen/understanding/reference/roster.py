@@ -1,7 +1,5 @@
 """The participants of a text so far, singly and in the groups in which they came up."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass, field
 

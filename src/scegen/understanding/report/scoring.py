@@ -1,7 +1,5 @@
 """Labelled descriptions: read from files, and how well a reading matches its label."""
 
-from __future__ import annotations
-
 import json
 from collections import Counter
 from collections.abc import Mapping

@@ -1,7 +1,5 @@
 """Words for junctions, signs and lights that are not there, do not work, or only count arms."""
 
-from __future__ import annotations
-
 from itertools import takewhile
 
 from scegen.scenario.junction import ARM_COUNTS

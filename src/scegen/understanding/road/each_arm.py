@@ -1,7 +1,5 @@
 """``one from each arm``: as many arms as vehicles."""
 
-from __future__ import annotations
-
 from scegen.scenario.junction import ARM_COUNTS
 from scegen.scenario.vocabulary import JunctionKind
 from scegen.understanding.chunks import Chunk, Event, Mention, Place

@@ -1,7 +1,5 @@
 """Reads the shape, the arms and the control of the junction."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from itertools import pairwise
 

@@ -1,7 +1,5 @@
 """What a road is like along its length: a median, strips beside its lanes, bends, its numbers."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 

@@ -1,7 +1,5 @@
 """Reads weather, light, road surface, speed limit, lanes and their size, driving side."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any

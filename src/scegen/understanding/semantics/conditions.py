@@ -19,8 +19,6 @@
 ``not`` before any of them turns it round; ``A or B`` asks for one of two.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable
 from enum import StrEnum
 from functools import cache

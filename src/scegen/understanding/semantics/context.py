@@ -1,7 +1,5 @@
 """The clause of one event with those in it, and the scenario in the making."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from typing import Any

@@ -5,8 +5,6 @@ phrase), ``a lane`` (is named), ``to left`` (leads a noun), ``does.tailgating`` 
 Conditions that need others than a clause has are not asked of it.
 """
 
-from __future__ import annotations
-
 from itertools import compress
 
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Thing

@@ -1,7 +1,5 @@
 """What rows do: to the clause, to participants, to the road."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Collection, Iterable
 from itertools import product
 from typing import Any, TypeAlias

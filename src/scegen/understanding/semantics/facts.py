@@ -1,7 +1,5 @@
 """Facts: words of conditions that hold of a clause, or of the scenario in the making."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import TypeAlias
 

@@ -1,7 +1,5 @@
 """What places tell: how one is seen, into which lane and into whose a movement leads."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 from scegen.scenario.vocabulary import Approach

@@ -1,7 +1,5 @@
 """What rows note of a participant, and what they change in a clause."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import TypeAlias
 

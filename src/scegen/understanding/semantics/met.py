@@ -1,7 +1,5 @@
 """Whom somebody drives up to, or touches, and whether anything is said of where the two are."""
 
-from __future__ import annotations
-
 from itertools import zip_longest
 
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver

@@ -9,8 +9,6 @@ and rule out, a direction, one of `FILTERS`, a word of a list (``@NAME``), one b
 preposition (``led@NAME``), or what the lexicon says of its head (``does.overtaking``).
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Collection
 from functools import cache
 from typing import Any, TypeAlias

@@ -18,8 +18,6 @@ follows. With ``also`` the next rows are asked as well. The keys:
 * ``then``: further families; ``words``, ``reason``: what it rests on.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import lru_cache

@@ -1,7 +1,5 @@
 """Where a phrase of place puts those of whom it is said: seen from the ego, in a lane, headed."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TypeAlias

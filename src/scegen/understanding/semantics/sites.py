@@ -1,7 +1,5 @@
 """What a noun of place puts those at it on, or beside: a strip, a lane, a side."""
 
-from __future__ import annotations
-
 from scegen.scenario.roadway import BAYS, Strip
 from scegen.scenario.vocabulary import Approach, CrossedArm, HazardKind, Maneuver, ParticipantKind
 from scegen.understanding.chunks import Mention, Place

@@ -1,7 +1,5 @@
 """Which way a verb of motion leads, by the words around it."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import TypeAlias
 

@@ -5,8 +5,6 @@ stands in phrases (``@for``), ``everybody``, ``others`` (than those who act) or 
 ``+x`` and ``-x`` keep, and leave out, those of whom a word of `ENTITY` holds.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable
 from typing import TypeAlias

@@ -1,7 +1,5 @@
 """Chooses among the meanings that a phrase has by itself, by the words around it."""
 
-from __future__ import annotations
-
 from scegen.understanding.lexicon import Entry, word_list
 from scegen.understanding.words.numbers import POSITIONS
 from scegen.understanding.words.quantities import quantity_at

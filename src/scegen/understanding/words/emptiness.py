@@ -1,7 +1,5 @@
 """Words that add nothing: "5 m of air", "a van is all that hides him", "could you make me a …"."""
 
-from __future__ import annotations
-
 import re
 from functools import cache
 

@@ -1,7 +1,5 @@
 """Light lemmatisation: the base forms of a word that the lexicon knows, slips mended."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 
 from scegen.understanding.lexicon import load, word_list, word_lists

@@ -1,7 +1,5 @@
 """Who and what no noun of the lexicon names: by letters, numbers, ages, or by what it does."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Number words and digits, and words for a place in a row."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import lru_cache
 

@@ -1,7 +1,5 @@
 """Speeds as people say them: "doing 25", "going 90"."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from scegen.understanding.lexicon import word_list

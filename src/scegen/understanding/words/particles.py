@@ -1,7 +1,5 @@
 """Little words at the edge of a phrase, and phrases around a name: what belongs to what."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from scegen.understanding.lexicon import word_list

@@ -1,7 +1,5 @@
 """Words of place spelled out: near and far sides, "left of" somebody, "the car two ahead"."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from scegen.scenario.vocabulary import DrivingSide

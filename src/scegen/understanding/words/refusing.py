@@ -1,7 +1,5 @@
 """Refuses what is no description in English, or none of traffic."""
 
-from __future__ import annotations
-
 import unicodedata
 from collections import Counter
 from functools import lru_cache

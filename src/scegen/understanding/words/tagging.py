@@ -1,7 +1,5 @@
 """Terms: tokens grouped into phrases of the lexicon, with ambiguous words decided by context."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import lru_cache
 

@@ -1,7 +1,5 @@
 """Splits text into tokens that keep their place in it; what its layout says is a mark, too."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
