@@ -27,13 +27,13 @@ def occlusions(concrete: ConcreteScenario) -> list[tuple[str, str, str]]:
     """
     people = [p.id for p in concrete.participants]
     movers = {p.id for p in concrete.participants if not p.parked}
+    hiding = [h for h in concrete.hazards if h.kind is HazardKind.OCCLUSION]
+    others = [h for h in concrete.hazards if h not in hiding]
     found = []
-    for hazard in concrete.hazards:
-        if hazard.kind is not HazardKind.OCCLUSION:
-            continue
+    for hazard in hiding:
         for occluder, observer in hazard_pairs(hazard):
-            meets = {who for h in concrete.hazards if observer in h.to for who in h.by}
-            meets |= {who for h in concrete.hazards if observer in h.by for who in h.to}
+            meets = {who for h in others if observer in h.to for who in h.by}
+            meets |= {who for h in others if observer in h.by for who in h.to}
             meets &= {*people} - {occluder}
             hidden = (meets & movers or meets or movers) - {observer, occluder}
             found += [(observer, target, occluder) for target in people if target in hidden]

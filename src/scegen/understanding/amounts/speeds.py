@@ -36,7 +36,8 @@ def held(figure: Figure) -> bool:
         able = _able(figure, [text.ego]) or meant or [text.ego]
     others = [e for e in able if e.speed not in (None, speed)]
     again = [e for e in able if e.speed_basis and figure.start <= (e.speed_basis.i or 0)]
-    own = figure.verb.i if figure.verb is not None and figure.verb.finite else 0
+    verb = figure.verb if figure.verb is not None and not figure.verb.embedded else None
+    own = verb.i if verb is not None and verb.finite else 0
     whose_own = any(0 <= figure.i - m.j <= 2 and m.heads and not m.is_me for m in text.mentions)
     anew = any(e.speed_basis and (e.speed_basis.i or 0) < own for e in others)
     anew = anew and not whose_own  # "sits behind us at 80, then passes at 90", not "a van at 90"
