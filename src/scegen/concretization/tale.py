@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from scegen.concretization.profile import SpeedChange
 from scegen.enumeration.ranges import speed_range
 from scegen.motion.friction import GRAVITY_MPS2, friction_of
-from scegen.scenario.acts import GAINING, LEAVING, SLOWING, Act, ActKind, AfterAct
+from scegen.scenario.acts import GAINING, LEAVING, SLOWING, Act, ActKind, AfterAct, WhenMeasure
 from scegen.scenario.concrete import Change
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
@@ -14,7 +14,7 @@ from scegen.scenario.in_line import words_between
 from scegen.scenario.logical import Drive, LogicalScenario
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.parameters import ParameterRange
-from scegen.scenario.spacings import Measure, Spacing
+from scegen.scenario.spacings import START, Measure, Spacing
 from scegen.scenario.speed_limits import implied_limit_mps
 from scegen.scenario.things import Thing
 from scegen.scenario.vocabulary import Approach, HazardKind, Maneuver, Side
@@ -52,6 +52,13 @@ def side_of(functional: FunctionalScenario, name: str, reference: str) -> Side |
     """On which side of another somebody is said to be, None if on neither or on both."""
     sides = words_between(functional, name, reference) & {Approach.LEFT, Approach.RIGHT}
     return Side(next(iter(sides)).value) if len(sides) == 1 else None
+
+
+def told_at(functional: FunctionalScenario, act: Act | None) -> list[Spacing | WhenMeasure]:
+    """How far apart two are said to be as an act begins, what sets it off last; else at first."""
+    at = START if act is None else act.id
+    told: list[Spacing | WhenMeasure] = [s for s in functional.spacings if s.at == at]
+    return told + ([act.when] if act and isinstance(act.when, WhenMeasure) else [])
 
 
 def pace_of(functional: FunctionalScenario, logical: LogicalScenario, name: str) -> ParameterRange:

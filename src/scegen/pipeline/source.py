@@ -9,7 +9,7 @@ from scegen.checking.subject import CONCRETE_FILE, FUNCTIONAL_FILE, read_proof
 from scegen.enumeration import count_scenarios
 from scegen.errors import InputError
 from scegen.scenario.concrete import ConcreteScenario
-from scegen.scenario.files import from_text, is_scenario, load_if_there, read_text, text_of
+from scegen.scenario.files import ENDINGS, from_text, is_scenario, load_if_there, read_text, text_of
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.logical import LogicalSet
 from scegen.scenario.wording import counted
@@ -17,7 +17,7 @@ from scegen.understanding import read
 
 Source = FunctionalScenario | LogicalSet | ConcreteScenario
 Understand = Callable[[str], FunctionalScenario]
-_FILE_ENDINGS = (".yaml", ".yml", ".json", ".txt", ".md")
+_FILE_ENDINGS = (*ENDINGS, ".txt", ".md")
 _LONGEST_PATH = 1024
 _STDIN = "-"
 LOGICAL_FILE = "logical.json"

@@ -30,7 +30,8 @@ _MADE_BY = {
 }
 AnyLevel = FunctionalScenario | LogicalSet | ConcreteScenario
 M = TypeVar("M", bound=FrozenModel)
-_ENDINGS = (".yaml", ".yml", ".json")
+ENDINGS = (".yaml", ".yml", ".json")
+"""Of the names of scenario files."""
 _SCENARIO = re.compile(r"\A\s*\{|^level:", re.MULTILINE)
 _DUMPER: type = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
 
@@ -111,7 +112,7 @@ def load_any(path: Path) -> AnyLevel | None:
 
 def is_scenario(text: str, name: str = "") -> bool:
     """Whether a text, of a file of that name, is that of a scenario and no description."""
-    return name.lower().endswith(_ENDINGS) or _SCENARIO.search(text) is not None
+    return name.lower().endswith(ENDINGS) or _SCENARIO.search(text) is not None
 
 
 def from_text(text: str, *, where: str) -> AnyLevel:

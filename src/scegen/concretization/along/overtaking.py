@@ -17,12 +17,12 @@ from scegen.concretization.limits import (
     LATERAL_MPS2,
 )
 from scegen.concretization.profile import NEVER_S, SpeedChange
-from scegen.concretization.tale import outward
+from scegen.concretization.tale import outward, told_at
 from scegen.errors import MotionInfeasibleError
 from scegen.motion.batch.arrays import Bools
 from scegen.motion.model import Array
-from scegen.scenario.acts import GAINING, Act, ActKind, WhenMeasure
-from scegen.scenario.spacings import LENGTHWISE, Measure, Spacing
+from scegen.scenario.acts import GAINING, Act, ActKind
+from scegen.scenario.spacings import LENGTHWISE, Measure
 from scegen.scenario.vocabulary import HazardKind, Maneuver, Side
 
 _CLEAR_M, _CLEAR_HURRYING_M = 6.0, 1.0
@@ -162,8 +162,7 @@ def _said_m(story: Story, back: Act | None, passed: Runner) -> float | None:
     """How far ahead of whom it has passed one is said to be when it comes back."""
     if back is None:
         return None
-    told: list[Spacing | WhenMeasure] = [s for s in story.functional.spacings if s.at == back.id]
-    told += [back.when] if isinstance(back.when, WhenMeasure) else []
+    told = told_at(story.functional, back)
     metres = {Measure.GAP_M: 1.0, Measure.HEADWAY_S: passed.speed_mps}
     return next((t.value.middle * metres[t.measure] for t in told if t.measure in metres), None)
 

@@ -2,7 +2,9 @@
 
 from dataclasses import dataclass, field
 
-from scegen.claims.boxes import Boxes
+import numpy as np
+
+from scegen.claims.boxes import Boxes, free
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.others import Walk
 from scegen.concretization.profile import SpeedChange
@@ -147,18 +149,15 @@ class Story(Tale):
 
     def in_order(self) -> bool:
         """Whether those who are said to be ahead of, or behind, others are so at the start."""
+        start = np.zeros(1)
         for who, of, words in self.functional.sayings:
             one, other = self.runners.get(who), self.runners.get(of)
             if one is None or other is None or one.forward != other.forward:
                 continue
-            free_m = abs(one.x_m(0.0) - other.x_m(0.0))
-            ahead = (one.x_m(0.0) - other.x_m(0.0)) * one.sign > 0.0
-            front, back = (one, other) if ahead else (other, one)
-            along = words & {Approach.AHEAD, Approach.BEHIND}
-            at_first = {Approach.AHEAD if ahead else Approach.BEHIND}
-            if free_m < front.body.rear_m + back.body.front_m:
-                at_first = set()
-            if len(along) == 1 and along != at_first:
+            clear = free(other.track(start)[0], one.track(start)[0])
+            clear_m = {Approach.AHEAD: clear.front, Approach.BEHIND: clear.rear}
+            along = [clear_m[word] for word in words if word in clear_m]
+            if len(along) == 1 and along[0] < 0.0:
                 return False
         return True
 

@@ -12,7 +12,7 @@ from scegen.concretization.along.sideways import put_on_strips
 from scegen.concretization.along.story import Story
 from scegen.concretization.limits import REVERSING_MPS, REVERSING_MPS2
 from scegen.concretization.profile import SpeedChange
-from scegen.concretization.tale import as_meant, outward, pace_of
+from scegen.concretization.tale import as_meant, outward, pace_of, told_at
 from scegen.concretization.things import lying_in_the_way, shape_of
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.acts import SLOWING, Act, ActKind, AfterStart, WhenMeasure
@@ -22,7 +22,7 @@ from scegen.scenario.logical import Crossing, Drive, Heading, LogicalScenario, S
 from scegen.scenario.model import Interval
 from scegen.scenario.outcome import OutcomeKind
 from scegen.scenario.roadway import AuxiliaryLane
-from scegen.scenario.spacings import LENGTHWISE, START, Measure, Spacing
+from scegen.scenario.spacings import LENGTHWISE, START, Measure
 from scegen.scenario.vocabulary import ON_FOOT, HazardKind, Maneuver, ParticipantKind, Side
 
 _STANDS_MPS = 1.0
@@ -117,12 +117,11 @@ def _closing(functional: FunctionalScenario) -> Iterator[tuple[str, str]]:
     passed: set[str] = set()
     holds = {s.participant for s in functional.spacings if s.at == START}
     comes_in: set[tuple[str, str]] = set()
-    for at, act in ((START, None), *((a.id, a) for a in functional.acts)):
+    for act in (None, *functional.acts):
         if act is not None and act.participant in passed:
             continue  # it is ahead by having been faster
-        told: list[Spacing | WhenMeasure] = [s for s in functional.spacings if s.at == at]
-        told += [act.when] if act is not None and isinstance(act.when, WhenMeasure) else []
-        for each in (t for t in told if t.measure in LENGTHWISE):
+        at = START if act is None else act.id
+        for each in (t for t in told_at(functional, act) if t.measure in LENGTHWISE):
             pair = each.participant, each.reference
             ahead = is_said_ahead(functional, functional.hazards, *pair, at)
             back, front = pair[::-1] if ahead else pair

@@ -36,12 +36,7 @@ def held(figure: Figure) -> bool:
         able = _able(figure, [text.ego]) or meant or [text.ego]
     others = [e for e in able if e.speed not in (None, speed)]
     again = [e for e in able if e.speed_basis and figure.start <= (e.speed_basis.i or 0)]
-    verb = figure.verb if figure.verb is not None and not figure.verb.embedded else None
-    own = verb.i if verb is not None and verb.finite else 0
-    whose_own = any(0 <= figure.i - m.j <= 2 and m.heads and not m.is_me for m in text.mentions)
-    anew = any(e.speed_basis and (e.speed_basis.i or 0) < own for e in others)
-    anew = anew and not whose_own  # "sits behind us at 80, then passes at 90", not "a van at 90"
-    if able and not anew and all(e in others or e in again for e in able):
+    if able and not _is_anew(figure, others) and all(e in others or e in again for e in able):
         named = reversed(text.spoken_of(figure.start, figure.i))  # "beside a truck, also 100 km/h"
         able = [e for e in named if e.speed is None and not e.still][:1] or able
     for entity in able:
@@ -54,6 +49,15 @@ def held(figure: Figure) -> bool:
         else:
             text.found.speeds_again.append((entity, words_))
     return bool(taken or able)
+
+
+def _is_anew(figure: Figure, others: list[Entity]) -> bool:
+    """``sits behind us at 80, then passes at 90``: a clause later; not ``passes a van at 90``."""
+    verb = figure.verb
+    if verb is None or verb.embedded or not verb.finite:
+        return False
+    noun = any(0 <= figure.i - m.j <= 2 and m.heads and not m.is_me for m in figure.text.mentions)
+    return not noun and any(e.speed_basis and (e.speed_basis.i or 0) < verb.i for e in others)
 
 
 def _taken(figure: Figure) -> list[Entity]:
