@@ -181,7 +181,7 @@ class Figure(Clause):
 
     def placed_by(self, landmark: Mention) -> Mention:
         """``car in front of the ego: 80 km/h``: the noun that is placed by another, else that."""
-        before = (m for m in self.text.mentions if m.i < landmark.i)
+        before = (m for m in reversed(self.text.mentions) if m.i < landmark.i)
         placed = (m for m in before if any(p.target is landmark for p in m.pps))
         located = landmark.prep is not None and landmark.prep.cat == "locus"
         return next(placed, landmark) if located else landmark

@@ -89,6 +89,7 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     before = [m for m in text.mentions if m.i < figure.i]
     holds = ((m, p) for m in text.mentions for p in m.pps if located and p.word is word)
     holder = [m for m, p in holds if p.fronted or m.i < figure.i]  # "10 m ahead of it a bus"
+    holder = [m for m in holder if m.i < figure.i][-1:] or holder[:1]
     if holder and len(holder[0].entities) == 1 and named:
         subject = holder[0].entities  # "beside a van which is 60 m ahead of the ego": the van
     for scene in text.within(figure.start, figure.i) if located else []:

@@ -1,6 +1,7 @@
 """Attaches prepositional phrases: to the noun right before them, or to the verb."""
 
 from scegen.understanding.chunks import Event, Mention, Place, Prep
+from scegen.understanding.clauses.dependents import chain
 from scegen.understanding.clauses.further import located
 from scegen.understanding.clauses.located import is_it, opens_clause
 from scegen.understanding.clauses.state import State
@@ -71,8 +72,8 @@ def attach(prep: Prep, state: State) -> None:
         state.fronted.append(prep)
         return
     prep.on_mention = _noun(prep, state)
-    if prep.on_mention is not None:
-        prep.on_mention.pps.append(prep)
+    for whom in _placed_alike(prep, state):
+        whom.pps.append(prep)
     described = None if _astern(prep, state) else _described(prep, state) or _also_there(state)
     if described is not None and not _of_who_acts(prep, described, state):
         described.pps.append(prep)
@@ -82,6 +83,20 @@ def attach(prep: Prep, state: State) -> None:
             _told_of(prep, state).pps.append(prep)
     elif prep.on_mention is None and state.candidate is not None:
         state.candidate.pps.append(prep)
+
+
+def _placed_alike(prep: Prep, state: State) -> list[Mention]:
+    """``a van and a bus ahead of the ego``: both are, unless the first is told about itself."""
+    if prep.on_mention is None:
+        return []
+    *others, last = [m for m in chain(prep.on_mention) if m is prep.on_mention or not m.is_ego]
+    told = prep.word.cat == "locus" or prep.names("lane", "side")
+    told = told and prep.outer is None and not last.pps
+    known = any(isinstance(c, Mention) and c.i < others[0].i for c in state.chunks if others)
+    known = known and (state.last is None or state.last.object is not last)
+    told = told and (known or not is_it(prep.target))  # "a van and a bus behind it": the van
+    plain = all(m.heads and not (m.is_me or m.pps or m.has("det", "def")) for m in others)
+    return [*others, last] if told and plain else [last]
 
 
 def _of_another_noun(prep: Prep, state: State) -> bool:
