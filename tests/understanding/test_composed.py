@@ -167,3 +167,48 @@ def test_a_neighbour_cuts_in(seed):
     when = act.when.value.low if isinstance(act.when, WhenMeasure) else None
     at = [s.value.low for s in scenario.spacings if s.at == act.id]
     assert draw.gap in (when, *at), text
+
+
+ABOUT = {
+    "ahead": ["ahead of {it}", "in front of {it}"],
+    "behind": ["behind {it}", "to the rear of {it}"],
+    "left": ["on the left of {it}", "in the lane to the left of {it}"],
+    "right": ["to the right of {it}", "in the right-hand lane beside {it}"],
+}
+BOTH = [
+    "{ego} drives at {v} km/h with a {one} {here} and a {two} {there}",
+    "{ego} drives at {v} km/h, a {one} {here}, a {two} {there}",
+    "{ego} drives at {v} km/h. A {one} is {here} and a {two} is {there}",
+    "while {ego} drives at {v} km/h, a {one} is {here} and a {two} {there}",
+    "{ego} drives at {v} km/h. A {one} drives at {w} km/h {here}, a {two} {there}",
+    "while {ego} drives at {v} km/h, a {one} doing {w} km/h is {here} and a {two} {there}",
+]
+ALIKE = [
+    "{ego} drives at {v} km/h with a {one} and a {two} {there}",
+    "{ego} drives at {v} km/h, a {one} and a {two} {there}",
+    "{ego} drives at {v} km/h. A {one} and a {two} {there} brake",
+]
+
+
+@pytest.mark.parametrize("seed", range(TEXTS))
+def test_two_are_placed_in_one_sentence(seed):
+    draw = Draw(seed)
+    first, second = draw.some(sorted(NOUNS), 2)
+    way = draw.one(BOTH if seed % 3 else ALIKE)
+    here, there = draw.some(sorted(ABOUT), 2) if "{here}" in way else [draw.one(sorted(ABOUT))] * 2
+    told = {"here": draw.one(ABOUT[here]).format(it="it"), "there": draw.one(ABOUT[there])}
+    told["there"] = told["there"].format(it="it")
+    text = f"{draw.say(way, one=draw.one(NOUNS[first]), two=draw.one(NOUNS[second]), **told)}."
+    scenario = read(text)
+    (ego,) = (p for p in scenario.participants if p.role is Role.EGO)
+    others = [p for p in scenario.participants if p is not ego]
+    expected = {
+        kind: {place, "adjacent"} if place in {"left", "right"} else {place}
+        for kind, place in ((first, here), (second, there))
+    }
+    assert {str(p.kind): {str(a) for a in p.approaches} for p in others} == expected, text
+    fast = draw.w if "{w}" in way else None
+    assert [_kph(p) for p in others if p.kind == first] == [fast], text
+    assert [_kph(p) for p in others if p.kind == second] == [None], text
+    assert _kph(ego) == draw.v, text
+    assert not scenario.relations, text

@@ -91,11 +91,12 @@ def _placed_alike(prep: Prep, state: State) -> list[Mention]:
         return []
     *others, last = [m for m in chain(prep.on_mention) if m is prep.on_mention or not m.is_ego]
     told = prep.word.cat == "locus" or prep.names("lane", "side")
-    told = told and prep.outer is None and not last.pps
+    told = told and prep.outer is None
     known = any(isinstance(c, Mention) and c.i < others[0].i for c in state.chunks if others)
     known = known and (state.last is None or state.last.object is not last)
     told = told and (known or not is_it(prep.target))  # "a van and a bus behind it": the van
-    plain = all(m.heads and not (m.is_me or m.pps or m.has("det", "def")) for m in others)
+    plain = all(m.heads and not (m.is_me or m.has("det", "def")) for m in others)
+    plain = plain and all(m.pps == last.pps for m in others)
     return [*others, last] if told and plain else [last]
 
 
@@ -249,6 +250,8 @@ def _head_of(prep: Prep, state: State) -> Mention | None:
 def _described(prep: Prep, state: State) -> Mention | None:
     """``a van that is behind the ego``, ``and the van is on the left``: no verb but "is"."""
     anchor = state.anchor
+    if isinstance(anchor, Event) and anchor.form == "ing" and anchor.subject == [state.waiting]:
+        return state.waiting if "aux:be" in state.between else None  # "a van doing 40 is ahead"
     if prep.on_mention is not None or not isinstance(anchor, Mention):
         return None
     if "aux:be" not in state.between:

@@ -1,7 +1,7 @@
 """Nouns and verbs joined by "and", "or" or commas: what they share, and what is shared out."""
 
 from dataclasses import replace
-from itertools import groupby
+from itertools import groupby, pairwise, takewhile
 
 from scegen.understanding.chunks import Event, Mention, Place, Prep
 from scegen.understanding.clauses.dependents import alternative, chain
@@ -33,6 +33,7 @@ def told_beside(state: State, *words: str) -> Mention | None:
     return next((m for m in named if m.stands_after(*words)), None)
 
 
+_NEAR = 6
 _ONES = frozenset({"brake", "hard_brake", "swerve", "lane_change", "overtake"})
 """What one does who comes up to others."""
 
@@ -148,8 +149,10 @@ def joins(mention: Mention, state: State) -> bool:
     if mention.pronoun in {"count", "one", "another"} and "," in state.between:
         return False  # "four vans, two turning left": some of them, not further ones
     said = bool({"aux:be", "aux:have"} & state.between) or state.being is not None
-    said = said or any((c.cat, c.value) == ("aux", "be") for c in since)
-    told = state.verb_follows or state.at(1).value == "be"
+    begin = (state.waiting or anchor).j
+    begun = [c for c in state.chunks[: state.k] if c.i >= begin]
+    said = said or any((c.cat, c.value) == ("aux", "be") for c in begun)
+    told = state.verb_follows or _is_said_to_be(state) or _somewhere_else(anchor, state)
     complete = said and told  # "I'm here and a van …", "and a van is behind it"
     row = anchor.stands_after("of") and "," in state.between  # "the speeds of …"
     row = row and not state.events
@@ -173,6 +176,23 @@ def joins(mention: Mention, state: State) -> bool:
         event.pps += [replace(p, target=mention) for p in met]  # "is followed by a van and a bus"
     state.stand_at(mention)
     return True
+
+
+def _is_said_to_be(state: State) -> bool:
+    """``and a van at 40 km/h is behind it``: a copula of its own comes behind the noun."""
+    phrase = takewhile(lambda c: c.cat not in {"aux", "punct", "conj", "sub"}, state.after(_NEAR))
+    return state.at(1 + len(list(phrase))).value == "be"
+
+
+def _somewhere_else(anchor: Mention, state: State) -> bool:
+    """``a van is ahead of it and a bus on its left``: the copula is left out."""
+    rest = pairwise(state.after(_NEAR))
+    fast = (w for w in rest if "quantity" not in (w[0].cat, w[1].cat) or w[0].cat == "locus")
+    where, place = next(fast, (NOTHING, NOTHING))
+    there = where.cat == "locus" or (where.value in {"in", "to"} and isinstance(place, Place))
+    there = there or (isinstance(state.at(1), Event) and state.at(1).form == "ing")
+    known = anchor.is_ego or anchor.is_me or anchor.pronoun is not None
+    return there and (known or anchor is state.waiting)
 
 
 def _list_goes_on(state: State) -> bool:

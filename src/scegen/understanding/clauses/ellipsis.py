@@ -223,7 +223,8 @@ def _copy(verb: Event, who: Mention, chunks: list[Chunk], k: int) -> list[Event]
     alike = len(kept) < len(own) and (rest.value != "in" or verb.form != "ing")
     verb.pps = own if alike else verb.pps
     again = _again(verb, [who], rest.i, target.j)
-    return [replace(again, pps=[*kept, Prep(rest, target)])] if alike else []
+    mods = [m for m in verb.mods if (m.cat, m.value) != ("quantity", "speed")]
+    return [replace(again, mods=mods, pps=[*kept, Prep(rest, target)])] if alike else []
 
 
 _SEVERAL = frozenset({"both", "all", "they"})

@@ -100,10 +100,11 @@ def bonds_of(chunks: list[Chunk], events: list[Event], tokens: list[Token]) -> B
             found.nearing |= {id(m) for m in event.subject}
         if event.name in _COMING_OUT or any(m.noun == "pedestrian" for m in event.subject):
             found.hiding |= {id(p.target) for p in event.pps if p.outer == "from"}
-        for place in (p.place for p in event.pps):
-            if place is not None and place.beside is not None:
-                # "drives in the lane to the left of it": "it" is somebody else
-                found.unlike[id(place.beside)] += event.subject
+        for place in (p.place for p in event.pps if p.place is not None):
+            for whose in (place.beside, place.owner):
+                if whose is not None and (whose is place.beside or whose.aside):
+                    # "drives in the lane to the left of it", "on the left of it": somebody else
+                    found.unlike[id(whose)] += event.subject
     for mention in mentions:
         for prep in mention.pps:
             if prep.who is not None and prep.word.cat == "locus":

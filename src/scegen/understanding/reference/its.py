@@ -24,6 +24,7 @@ def others_than_it(
     for before, event in pairwise(events):
         if _is_waited_for(before, event, tokens) or _slows_ahead(before, event):
             yield from product((m for m in _its(event) if m.i > before.i), before.subject)
+    yield from _placed_alike(mentions, events, tokens)
     backs = any(e.name == "reverse" and m.is_ego for e in events for m in e.subject)
     egos = [m for m in mentions if m.is_ego and not backs]
     for event in events:
@@ -38,6 +39,29 @@ def same_again(
     """``when the ego is 15 m behind it, it brakes``: the second "it" with the first."""
     found = _goes_on(mentions, events, tokens)
     return {id(again): prep.who for again, prep, _ in found if is_it(prep.who)}
+
+
+def _placed_alike(
+    mentions: Sequence[Mention], events: Sequence[Event], tokens: list[Token]
+) -> Iterator[tuple[Mention, Mention]]:
+    """``a van ahead of it and a bus on the left of it``: the second "it" is not the van."""
+    named = [m for m in mentions if m.heads]
+    for (one, other), after in zip(pairwise(named), [*named[2:], None], strict=False):
+        own = [m for m in mentions if one.i < m.i < other.i and _places(m)]
+        sided = any(p.place is not None and p.place.has("possessive") for p in one.pps)
+        end = after.i if after is not None else len(tokens)
+        again = [m for m in mentions if other.i < m.i < end and _places(m)]
+        begin = own[-1].j if own else one.j
+        apart = any(e.finite and begin < e.i < other.i for e in events)
+        parted = {t.low for t in tokens[begin : other.i]}
+        if (own or sided) and not apart and parted & {"and", ","} and "." not in parted:
+            yield from ((it, one) for it in again[:1] if other.opened_by("indef"))
+
+
+def _places(mention: Mention) -> bool:
+    """``ahead of it``, ``to the left of it``."""
+    located = mention.prep is not None and mention.prep.cat == "locus"
+    return is_it(mention) and (located or mention.aside)
 
 
 def _its(event: Event) -> list[Mention]:
