@@ -175,3 +175,19 @@ def test_what_is_said_of_acts_becomes_parameters(describe):
     assert found["brake_1.when.gap_m"] == (20, 20, 20, "stated")
     assert found["spacing_0.headway_s"] == (1.5, 1.5, 1.5, "stated")
     assert found["outcome.impact_percent"] == (25, 25, 25, "stated")
+
+
+@pytest.mark.parametrize("side", ["ahead", "behind"])
+@pytest.mark.parametrize("listed", [("near", "far"), ("far", "near")])
+@pytest.mark.parametrize("measure", ["gap_m", "headway_s"])
+def test_who_is_farther_from_one_is_beyond_who_is_nearer(describe, side, listed, measure):
+    people = [EGO, *({"id": name, "approaches": [side]} for name in listed)]
+    far = {"near": {"low": 2, "high": 2}, "far": {"low": 5, "high": 5}}
+    spacings = [
+        {"participant": name, "reference": "ego", "measure": measure, "value": far[name]}
+        for name in listed
+    ]
+    functional = describe("straight", 2, people, more={"spacings": spacings})
+    (scenario,) = enumerate_scenarios(functional).scenarios
+    ranks = [scenario.assignment(name).rank for name in ("far", "near", "ego")]
+    assert ranks == (sorted(ranks) if side == "ahead" else sorted(ranks, reverse=True))

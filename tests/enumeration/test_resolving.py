@@ -25,6 +25,13 @@ def test_who_brakes_endangers_the_next_behind_it(describe):
     assert resolved(functional) == {(("ego",), ("van",))}
 
 
+def test_the_last_of_three_who_brakes_endangers_none_of_those_ahead(describe):
+    lead = {"id": "lead", "approaches": ["ahead"]}
+    last = {"id": "last", "approaches": ["behind"]}
+    braking = {"kind": "hard_braking", "by": ["last"]}
+    assert resolved(describe("straight", 2, [EGO, lead, last], [braking])) == {(("last",), ())}
+
+
 @pytest.mark.parametrize("comes", [False, True])
 def test_who_brakes_endangers_nobody_in_front_of_it(describe, comes):
     """Neither who is ahead nor who has just come there out of the next lane."""

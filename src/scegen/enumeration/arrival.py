@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from itertools import pairwise, product
+from itertools import pairwise, permutations, product
 
 from scegen.enumeration import predicates as p
 from scegen.enumeration.directions import lanes_told
@@ -11,10 +11,12 @@ from scegen.enumeration.problem import Problem
 from scegen.enumeration.reading import Solution
 from scegen.enumeration.statements import ALONG_WORDS
 from scegen.scenario.functional import FunctionalScenario
+from scegen.scenario.in_line import is_ahead_at_first
 from scegen.scenario.spacings import START, Measure
 from scegen.scenario.vocabulary import Approach, Maneuver, Side
 
 _IN_LINE = frozenset({"ahead", "behind"})
+_FAR = frozenset({Measure.GAP_M, Measure.HEADWAY_S})
 
 
 @dataclass
@@ -130,14 +132,14 @@ def _sayings(problem: Problem, solution: Solution) -> list[tuple[str, str, str]]
 
 
 def _by_distance(functional: FunctionalScenario, names: list[str]) -> list[tuple[str, str]]:
-    """(farther, nearer) of those whose gap from one reference is said at the start."""
-    gaps: dict[str, list[tuple[float, str]]] = {}
-    for spacing in functional.spacings:
-        if spacing.measure is Measure.GAP_M and spacing.at == START:
-            gaps.setdefault(spacing.reference, []).append(
-                (spacing.value.middle, spacing.participant)
-            )
-    files = (sorted(told, reverse=True) for told in gaps.values())
+    """(earlier, later) of those of whom it is said how far from one they are at the start."""
+    places: dict[tuple[Measure, str], list[tuple[float, str]]] = {}
+    for told in (s for s in functional.spacings if s.measure in _FAR and s.at == START):
+        for who, other in permutations((told.participant, told.reference)):
+            behind = is_ahead_at_first(functional, who, other) is False
+            far = -told.value.middle if behind else told.value.middle
+            places.setdefault((told.measure, other), []).append((far, who))
+    files = (sorted(told, reverse=True) for told in places.values())
     lines = ([name for _, name in file if name in names] for file in files)
     return [pair for line in lines for pair in pairwise(line)]
 

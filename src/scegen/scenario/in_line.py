@@ -59,9 +59,13 @@ def unconcerned(
     comes = [
         a.participant for a in functional.acts if a.kind is ActKind.CHANGE_LANE and a.into in by
     ]
-    others = (p.id for p in functional.participants)
-    ahead = (o for o in others if any(is_ahead_at_first(functional, o, name) for name in by))
-    return (*by, *comes, *ahead)
+    found, others = [*by, *comes], [p.id for p in functional.participants]
+    while True:  # and whoever is ahead of those
+        left = [o for o in others if o not in found]
+        ahead = [o for o in left if any(is_ahead_at_first(functional, o, n) for n in found)]
+        if not ahead:
+            return tuple(dict.fromkeys(found))
+        found += ahead
 
 
 def words_between(functional: FunctionalScenario, name: str, reference: str) -> frozenset[Approach]:

@@ -190,7 +190,8 @@ def _somewhere_else(anchor: Mention, state: State) -> bool:
     fast = (w for w in rest if "quantity" not in (w[0].cat, w[1].cat) or w[0].cat == "locus")
     where, place = next(fast, (NOTHING, NOTHING))
     there = where.cat == "locus" or (where.value in {"in", "to"} and isinstance(place, Place))
-    there = there or (isinstance(state.at(1), Event) and state.at(1).form == "ing")
+    following = state.at(1)  # "and a bus driving at 40 on its left"
+    there = there or (isinstance(following, Event) and following.form == "ing")
     known = anchor.is_ego or anchor.is_me or anchor.pronoun is not None
     return there and (known or anchor is state.waiting)
 
