@@ -60,7 +60,8 @@ def abreast(figure: Figure, who: Entity, ego: Entity, sense: int) -> None:
     """``rides 2 m to the right of the ego's line``: beside it, if no place of the two is said."""
     amount = signed(figure)
     clear_m = (BODIES[who.kind].width_m + BODIES[ego.kind].width_m) / 2
-    unplaced = ego.ego and who.moving_vehicle and not figure.text.stand(who, ego)
+    told = [a for _, a in figure.text.stand(who, ego) if not {Approach.AHEAD, Approach.BEHIND} <= a]
+    unplaced = ego.ego and who.moving_vehicle and not told
     if unplaced and abs(amount.value.middle) >= clear_m:
         figure.text.draft.place(who, None, _BESIDE, amount.basis)
         side = "left" if sense * amount.value.middle > 0 else "right"

@@ -140,9 +140,16 @@ def _main(figure: Figure, clause: tuple[int, int, str] | None) -> Doing | None:
     begin, stop, _ = clause
     before = [a for a in here if a.i < begin]
     after = [a for a in here if a.i >= stop]
-    if not (before or after):
+    between = _is_put_between(figure.text, figure.start, begin)
+    if not after and (between or not before):
         after = [a for a in here if a.i > figure.i]  # no comma: "when it is 20 m away it brakes"
-    return next(iter((*before[-1:], *after)), None)
+    return next(iter((*(before[-1:] if not (between and after) else []), *after)), None)
+
+
+def _is_put_between(text: Telling, start: int, opens: int) -> bool:
+    """``brakes and, once it stands, turns``: the clause belongs to what comes after it."""
+    joined = text.low(max(start, opens - 2), opens).replace(",", " ").split()
+    return joined[-1:] in (["and"], ["but"])
 
 
 _PARTS = frozenset({",", "and", "but", "while", ";"})
@@ -294,7 +301,6 @@ def _set_off(
 ) -> Doing | None:
     """What a clause sets off: the act before it, else the one that follows."""
     opens = chunk.i - (2 if ends_a_quantity(text.tokens, chunk.i) else 0)
-    joined = text.low(max(start, opens - 2), opens).replace(",", " ").split()
-    put_between = joined[-1:] in (["and"], ["but"])  # "brakes and, once it stands, turns"
-    front = [a for i, a in outside if i < chunk.i and not put_between]
+    between = _is_put_between(text, start, opens)
+    front = [a for i, a in outside if i < chunk.i and not between]
     return next(iter([*front[-1:], *(a for i, a in outside if i >= end)]), None)

@@ -30,6 +30,8 @@ def mark_generic(chunks: list[Chunk], events: list[Event], tokens: list[Token]) 
     acting = {id(m) for e in events for m in e.subject}
     _what_lies_there(chunks, events)
     for k, chunk in enumerate(chunks):
+        if isinstance(chunk, Mention) and chunk.pronoun == "one":
+            chunk.negated = chunk.negated or _is_no_participant(k, chunks)
         if not isinstance(chunk, Mention) or chunk.head is None:
             continue
         if id(chunk) in each and any(p.value == "ahead" for p in chunk.pps):
@@ -74,6 +76,12 @@ def _what_lies_there(chunks: list[Chunk], events: list[Event]) -> None:
             named = next((c for c in reversed(since) if c not in event.subject), None)
             if isinstance(named, Thing) and named.lies_there:
                 meant.negated, event.object = True, named
+
+
+def _is_no_participant(k: int, chunks: list[Chunk]) -> bool:
+    """``the manoeuvre is a slow one``: what is told of something else."""
+    what, copula = chunk_at(chunks, k - 2), chunk_at(chunks, k - 1)
+    return (copula.cat, copula.value) == ("aux", "be") and isinstance(what, Event | Thing | Place)
 
 
 def _fits(mention: Mention, prep: Term, tokens: list[Token]) -> bool:

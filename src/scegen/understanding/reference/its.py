@@ -19,7 +19,7 @@ def others_than_it(
 ) -> Iterator[tuple[Mention, NounPhrase]]:
     """Each "it" with one whom it does not mean."""
     for again, prep, whose in _goes_on(mentions, events, tokens):
-        if prep.target is None or is_it(prep.who):
+        if is_it(prep.who) or (prep.target is None and not is_it(whose)):
             yield again, whose
     for before, event in pairwise(events):
         if _is_waited_for(before, event, tokens) or _slows_ahead(before, event):

@@ -36,7 +36,8 @@ def _words(expression: str, reason: str | None) -> Words:
     Args:
         expression: ``event``; ``how VALUE…``, where that is said; ``phrase PATTERN`` or ``at
             PATTERN``, a phrase or place; ``to PATTERN`` and ``upto PATTERN``, from the verb to the
-            end of one; ``danger KIND``, those of a danger; ``way WHO``, those of what they do; one
+            end of one; ``danger KIND``, those of a danger; ``way WHO``, those of what they do; ``noted
+            MARK``, those of a mark; one
             of `VALUES` or `WORDS`.
         reason: why, where the words do not say it themselves.
     """
@@ -54,6 +55,9 @@ def _words(expression: str, reason: str | None) -> Words:
                 found = Basis(clause.event.i if name == "to" else phrase.word.i, end(phrase))
         elif name == "danger":
             found = next((d.basis for d in context.draft.dangers if d.kind == rest), None)
+        elif name == "noted":
+            told = (e.told for e in context.draft.entities)
+            found = next((notes[rest] for notes in told if rest in notes), None)
         elif name == "way":
             found = next((e.maneuver_basis for e in movers(clause, context)), None)
         elif name in {"upto", "at"}:

@@ -17,6 +17,7 @@ _RUNNING = Interval(low=2.2, high=3.8)
 """From Euro NCAP's running adult (8 km/h, AEB VRU protocol) up; the upper end is our own."""
 NOTED = (
     "moves", "through", "circulates", "waits", "on_ramp", "roadside", "exits", "gives_way",
+    "same_way",  # it goes as another does
     "followed",  # by one who keeps behind it
     "held",  # it stands at a light when it begins
     "bides",  # it waits to turn
