@@ -36,9 +36,8 @@ def _words(expression: str, reason: str | None) -> Words:
     Args:
         expression: ``event``; ``how VALUE…``, where that is said; ``phrase PATTERN`` or ``at
             PATTERN``, a phrase or place; ``to PATTERN`` and ``upto PATTERN``, from the verb to the
-            end of one; ``danger KIND``, those of a danger; ``way WHO``, those of what they do; ``noted
-            MARK``, those of a mark; one
-            of `VALUES` or `WORDS`.
+            end of one; ``danger KIND``, those of a danger; ``way WHO``, those of what they do;
+            ``noted MARK``, those of a mark; one of `VALUES` or `WORDS`.
         reason: why, where the words do not say it themselves.
     """
     name, _, rest = expression.partition(" ")
