@@ -10,6 +10,7 @@ from scegen.enumeration.on_foot import ALONG
 from scegen.enumeration.problem import Problem
 from scegen.enumeration.reading import Solution
 from scegen.enumeration.statements import ALONG_WORDS
+from scegen.scenario.acts import SLOWING
 from scegen.scenario.functional import FunctionalScenario
 from scegen.scenario.in_line import is_ahead_at_first
 from scegen.scenario.spacings import START, Measure
@@ -132,9 +133,10 @@ def _sayings(problem: Problem, solution: Solution) -> list[tuple[str, str, str]]
 
 
 def _by_distance(functional: FunctionalScenario, names: list[str]) -> list[tuple[str, str]]:
-    """(earlier, later) of those of whom it is said how far from one they are at the start."""
+    """(earlier, later) of those of whom it is said how far from one they are in their lane."""
+    still = {START, *(act.id for act in functional.acts if act.kind in SLOWING)}
     places: dict[tuple[Measure, str], list[tuple[float, str]]] = {}
-    for told in (s for s in functional.spacings if s.measure in _FAR and s.at == START):
+    for told in (s for s in functional.spacings if s.measure in _FAR and s.at in still):
         for who, other in permutations((told.participant, told.reference)):
             behind = is_ahead_at_first(functional, who, other) is False
             far = -told.value.middle if behind else told.value.middle

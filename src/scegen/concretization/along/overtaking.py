@@ -131,7 +131,7 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     moves = fast.moves if stays else [Move(begins, lasts, out_lane, offset, act.id, hazard)]
     if comes_home:
         home = story.lane_count + 1 if fast.id in story.exiting else (slow if stays else fast).lane
-        lasts *= max(abs(home - out_lane), 1)  # across what lies between
+        lasts *= max(abs(home - (fast.lane if stays else out_lane)), 1)  # across what is between
         moves.append(Move(clear, lasts, home, 0.0, (back or act).id, hazard))
     fast.moves = moves
     if back is not None:
