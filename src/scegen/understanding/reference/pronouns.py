@@ -119,9 +119,10 @@ def _single(roster: Roster, mention: Mention, exclude: list[Entity]) -> list[Ent
         options = [e for e in others if drives or not e.still][-1:] or options
     if word in {"he", "she"} and all("speaks" in e.named_by for e in roster.entities):
         return _new_person(roster, mention)  # not the one who tells it
-    if "stood" in mention.marks and not any(e.still for e in options):
+    if "stood" in mention.marks:
         standing = [e for e in recent if e.still and e not in exclude]
-        options = standing[-1:] or options  # "as the ego passes a parked car, it sets off"
+        standing = [e for e in options if e.still] or standing[-1:]
+        options = standing or options  # "as the ego passes a parked car, it sets off"
     elif drives and any(e.parked for e in options):
         driving = [e for e in recent if e.moving_vehicle and e not in exclude]
         running = [e for e in roster.recent if e.kind in ANIMALS and e not in exclude]
