@@ -4,7 +4,7 @@ from random import Random
 
 import pytest
 from saying import KMH, missed
-from told import act, after, apart, as_soon_as, at_time, driven, first, told, who
+from told import act, after, apart, as_soon_as, at_time, driven, first, raised, told, who
 
 from scegen.errors import MotionInfeasibleError
 from scegen.scenario.environment import RoadSurface
@@ -261,3 +261,13 @@ def test_who_slides_goes_aside_no_quicker_than_grip_lets_it():
     icy = functional.environment.model_copy(update={"road_surface": RoadSurface.ICY})
     functional = functional.model_copy(update={"environment": icy})
     assert not {c for c in missed(functional, first(functional)) if "x" in c.split(".")}
+
+
+@pytest.mark.parametrize("side", ["left", "right", None])
+def test_the_rear_is_hit_at_a_light_with_the_overlap_that_is_said(side):
+    people = [who("ego", maneuvers=["stay"]), other(40, ["behind"], name="x")]
+    hit = {"kind": "collision", "between": ["ego", "x"]}
+    overlap = apart("x", "ego", "overlap_percent", 60, "contact", side=side)
+    functional = told("four_way", people, outcome=hit, control="signals", spacings=[overlap])
+    concrete = raised(functional, target="collision").concrete
+    assert not [claim for claim in missed(functional, concrete) if "spacing" in claim]

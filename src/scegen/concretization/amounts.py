@@ -46,6 +46,13 @@ AS_LONG_AS_NEEDED_S = Interval(low=0.0, high=60.0)
 """How long one waits where the text does not say."""
 
 
+def overlapping_m(percent: float, one: Body, other: Body) -> float:
+    """How far apart the middles of two are of whom so much of the other's width overlaps."""
+    if percent >= 100:
+        return 0.0
+    return (one.width_m + other.width_m) / 2 - percent / 100 * other.width_m
+
+
 def spelled_out(acts: Sequence[Act], by_rules: Collection[str] = ()) -> tuple[Act, ...]:
     """The acts, those of who waits told as stopping and setting off so much later.
 

@@ -3,7 +3,7 @@
 A move is told from where it is over: just before the drive slows down for its turn.
 """
 
-from scegen.concretization.amounts import gripped_s
+from scegen.concretization.amounts import gripped_s, overlapping_m
 from scegen.concretization.drafts import DriveDraft
 from scegen.concretization.limits import CUT_IN_HEADWAY_S, LANE_CHANGE_S, LATE_BRAKING_MPS2
 from scegen.concretization.meetings import STRUCTURAL, Meeting, nearest_s_m
@@ -40,19 +40,26 @@ def over_by_m(*drafts: DriveDraft) -> float:
 def keep_aside(scene: Setup) -> None:
     """Let those keep beside the middle of their lane of whom the text says how far aside they are.
 
-    Of two, the ego keeps the middle of its own.
+    Of two, the ego keeps the middle of its own. Bodies that are said to overlap only in part where
+    they touch do so to the outer side where none is said.
     """
     for said in scene.functional.spacings:
         who, other = (scene.drives.get(name) for name in (said.participant, said.reference))
-        if said.measure is not Measure.LATERAL_OFFSET_M or said.at != START or not (who and other):
+        if not (who and other) or who.drive.entry != other.drive.entry:
             continue
-        left_m = said.value.middle
+        if said.measure is Measure.LATERAL_OFFSET_M and said.at == START:
+            left_m = said.value.middle
+        elif said.measure is Measure.OVERLAP_PERCENT:
+            side = said.side or (Side.LEFT if who is scene.ego else Side.RIGHT)
+            apart_m = overlapping_m(said.value.middle, who.body, other.body)
+            left_m = apart_m if side is Side.LEFT else -apart_m
+        else:
+            continue
         if who is scene.ego and other is not who:
             who, other, left_m = other, who, -left_m
-        if who.drive.entry == other.drive.entry:
-            lanes = outward(scene.functional, Side.LEFT) * (other.entry_lane - who.entry_lane)
-            aside_m = left_m + lanes * scene.road.arms[who.drive.entry].lane_width_m
-            who.offset_m = max(-MOST_OFFSET_M, min(aside_m, MOST_OFFSET_M))
+        lanes = outward(scene.functional, Side.LEFT) * (other.entry_lane - who.entry_lane)
+        aside_m = left_m + lanes * scene.road.arms[who.drive.entry].lane_width_m
+        who.offset_m = max(-MOST_OFFSET_M, min(aside_m, MOST_OFFSET_M))
 
 
 def close_before(

@@ -5,6 +5,7 @@ from itertools import accumulate
 
 from scegen.concretization.along.runner import Runner
 from scegen.concretization.along.story import Story
+from scegen.concretization.amounts import overlapping_m
 from scegen.concretization.profile import NEVER_S
 from scegen.concretization.roads import standing_in_bays
 from scegen.concretization.tale import outward
@@ -85,9 +86,7 @@ def _left_m(
     if spacing.measure is Measure.LATERAL_GAP_M:
         return _sign(story, spacing, who, other, at_s) * (value + both)
     if spacing.measure is Measure.OVERLAP_PERCENT:
-        if value >= 100:
-            return 0.0
-        apart = both - value / 100 * other.body.width_m
+        apart = overlapping_m(value, who.body, other.body)
         return _sign(story, spacing, who, other, at_s) * apart
     return None
 
