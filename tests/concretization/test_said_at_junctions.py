@@ -271,3 +271,12 @@ def test_the_rear_is_hit_at_a_light_with_the_overlap_that_is_said(side):
     functional = told("four_way", people, outcome=hit, control="signals", spacings=[overlap])
     concrete = raised(functional, target="collision").concrete
     assert not [claim for claim in missed(functional, concrete) if "spacing" in claim]
+
+
+@pytest.mark.parametrize("percent", [0, 25, 100])
+def test_who_stands_at_a_light_is_hit_where_it_is_said(percent):
+    people = [ego(40), who("x", approaches=AHEAD, maneuvers=["stay"])]
+    hit = {"kind": "collision", "between": ["ego", "x"], "impact_percent": percent}
+    functional = told("four_way", people, outcome=hit, control="signals")
+    concrete = raised(functional, target="collision").concrete
+    assert not [claim for claim in missed(functional, concrete) if "outcome" in claim]

@@ -45,21 +45,28 @@ def keep_aside(scene: Setup) -> None:
     """
     for said in scene.functional.spacings:
         who, other = (scene.drives.get(name) for name in (said.participant, said.reference))
-        if not (who and other) or who.drive.entry != other.drive.entry:
-            continue
-        if said.measure is Measure.LATERAL_OFFSET_M and said.at == START:
-            left_m = said.value.middle
-        elif said.measure is Measure.OVERLAP_PERCENT:
+        if said.measure is Measure.LATERAL_OFFSET_M and said.at == START and who and other:
+            _put_aside(scene, who, other, said.value.middle)
+        elif said.measure is Measure.OVERLAP_PERCENT and who and other:
             side = said.side or (Side.LEFT if who is scene.ego else Side.RIGHT)
             apart_m = overlapping_m(said.value.middle, who.body, other.body)
-            left_m = apart_m if side is Side.LEFT else -apart_m
-        else:
-            continue
-        if who is scene.ego and other is not who:
-            who, other, left_m = other, who, -left_m
-        lanes = outward(scene.functional, Side.LEFT) * (other.entry_lane - who.entry_lane)
-        aside_m = left_m + lanes * scene.road.arms[who.drive.entry].lane_width_m
-        who.offset_m = max(-MOST_OFFSET_M, min(aside_m, MOST_OFFSET_M))
+            _put_aside(scene, who, other, apart_m if side is Side.LEFT else -apart_m)
+    outcome = scene.functional.outcome
+    if outcome is not None and outcome.impact_percent is not None:
+        left_m = (0.5 - scene.impact_share) * scene.ego.body.width_m
+        for name in sorted({*outcome.between} & {*scene.drives} - {scene.ego.id}):
+            _put_aside(scene, scene.drives[name], scene.ego, left_m)
+
+
+def _put_aside(scene: Setup, who: DriveDraft, other: DriveDraft, left_m: float) -> None:
+    """Of two who come on one arm, one keeps so far to the left of the other's line."""
+    if who.drive.entry != other.drive.entry:
+        return
+    if who is scene.ego and other is not who:
+        who, other, left_m = other, who, -left_m
+    lanes = outward(scene.functional, Side.LEFT) * (other.entry_lane - who.entry_lane)
+    aside_m = left_m + lanes * scene.road.arms[who.drive.entry].lane_width_m
+    who.offset_m = max(-MOST_OFFSET_M, min(aside_m, MOST_OFFSET_M))
 
 
 def close_before(
