@@ -139,8 +139,8 @@ def _in_the_next_number(draft: Draft, ego: Entity) -> None:
     """Who drives in lane 1 is beside who drives in lane 2."""
     for entity in [e for e in draft.entities if e.lane is not None and e is not ego]:
         away = abs((entity.lane or 0) - ego.lane) if ego.lane is not None else None
-        if not entity.approaches and away == 1:
-            entity.comes_from({Approach.ADJACENT}, entity.start_lane and entity.start_lane[1])
+        if entity.start_lane is not None and away == 1 and entity.approaches <= _ALONG:
+            allow(entity, {Approach.ADJACENT}, entity.start_lane[1])
 
 
 def _own_side(draft: Draft, ego: Entity) -> Approach | None:
