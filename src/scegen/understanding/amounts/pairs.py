@@ -124,6 +124,9 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     first = subject[0] if subject else named[0] if named else text.ego
     here = [p for p in text.draft.placements if located and word and p.basis.i == word.i]
     leads = [p.entity for p in here if p.reference is first]  # "the second, 2 s behind"
+    told = [e for s in text.within(0, figure.i) if first not in s.actors for e in s.actors]
+    if located and word and word.value == "behind" and not named:
+        leads += [e for e in told if e.moving_vehicle][-1:]  # "a van brakes for a child, 15 m …"
     other = next(iter(leads), None) or text.counterpart(first, text.spoken_of(0, figure.i))
     return (first, other) if other is not None and other is not first else None
 

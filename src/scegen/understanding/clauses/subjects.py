@@ -254,7 +254,8 @@ def only_describes(event: Event, state: State) -> bool:
 
 
 def _after_mention(event: Event, anchor: Mention, state: State) -> None:
-    if event.finite and state.waiting is not None:
+    let = event.form == "base" and let_do(state) is not None  # "is in place to let a man cross"
+    if event.finite and state.waiting is not None and not let:
         event.subject = chain(state.waiting)
         return
     event.finite = event.finite and (event.form != "ed" or anchor is state.candidate)
