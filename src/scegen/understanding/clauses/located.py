@@ -116,6 +116,8 @@ def opens_clause(state: State) -> bool:
 
     "Behind the ego is a truck", "from the left comes a bus, and from the right a van".
     """
+    if "bare" in getattr(state.at(0), "data", ()) and isinstance(state.at(1), Mention):
+        return True  # "ego 50 km/h, in front a van": of nobody, so the van is there
     begins = not state.events and state.candidate is None and not state.mentions
     road = isinstance(state.anchor, Place) and state.anchor.kind == "highway"
     begins = begins and (state.anchor is None or road)  # "a kiosk on the left hides a child"
@@ -174,6 +176,8 @@ def _phrase_end(k: int, chunks: list[Chunk]) -> int | None:
         or (target.kind in _ROADS and (target.arm or target.dirs or _side_after(chunks, m + 1)))
     )
     whence = first.value == "from" and value_at(chunks, m) == ","  # "from behind, a van comes up"
+    bare = "bare" in getattr(first, "data", ())  # "in front, a van"
+    whence = whence or (bare and value_at(chunks, m) == ",")
     if locus and (whence or _stands_before_subject(chunks, m)):
         return m  # "from ahead comes a van"
     owned = chunk_at(chunks, m + 1)
