@@ -13,6 +13,7 @@ from scegen.understanding.entity import Basis, Entity
 from scegen.understanding.happenings import Amount, Apart, Doing
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.semantics.context import Clause, Context
+from scegen.understanding.semantics.lanes import owners
 from scegen.understanding.semantics.patterns import people
 from scegen.understanding.words.tokens import low_at
 
@@ -188,7 +189,7 @@ def _into(doing: Doing, scene: Clause, context: Context) -> None:
     event = scene.event
     lanes = [g for g in event.nouns("into", "to", "for") if isinstance(g, Place)]
     lanes = [g for g in lanes if g.kind in {"lane", "path"}]
-    owners = [e for g in lanes for e in g.owned_by]
+    own = [e for g in lanes for e in owners(g, scene, context) if g.owned_by or e.lane is not None]
     out = "out" in context.lows(event.i, event.j)  # "cuts out in front of"
     near = [p for p in event.pps if p.word.cat == "locus" and p.value in _ALONG and not out]
     # "boxed in behind a van, it …", "so does the car behind it": where one is at first
@@ -198,7 +199,7 @@ def _into(doing: Doing, scene: Clause, context: Context) -> None:
     cuts = (d for d in context.draft.dangers if d.kind is HazardKind.CUT_IN and not left)
     egos = [e for e in context.draft.entities if e.ego]
     cut = [e for d in cuts if doing.entity in d.by for e in d.to or egos]
-    named = [e for e in (*owners, *scene.targets, *people(near), *cut) if e is not doing.entity]
+    named = [e for e in (*own, *scene.targets, *people(near), *cut) if e is not doing.entity]
     if named:
         doing.into, doing.into_basis = named[0], Basis(event.i, event.j)
     joins = doing.entity.by_ramp and all(p.value == "ahead" for p in near)  # till then beside it

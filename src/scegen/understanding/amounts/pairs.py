@@ -11,6 +11,7 @@ from scegen.understanding.chunks import Mention, Place
 from scegen.understanding.entity import Entity
 from scegen.understanding.happenings import Amount
 from scegen.understanding.lexicon import word_list
+from scegen.understanding.words.terms import Term
 
 _AHEAD = {Approach.AHEAD}
 _ACROSS = {Approach.LEFT, Approach.RIGHT, Approach.OPPOSITE}
@@ -87,11 +88,9 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     word = figure.after[0] if figure.after is not None else None
     located = word is not None and word.cat == "locus"
     before = [m for m in text.mentions if m.i < figure.i]
-    holds = ((m, p) for m in text.mentions for p in m.pps if located and p.word is word)
-    holder = [m for m, p in holds if p.fronted or m.i < figure.i]  # "10 m ahead of it a bus"
-    holder = [m for m in holder if m.i < figure.i][-1:] or holder[:1]
-    if holder and len(holder[0].entities) == 1 and named:
-        subject = holder[0].entities  # "beside a van which is 60 m ahead of the ego": the van
+    holder = _placed_there(figure, word) if located else []
+    if len(holder) == 1 and named:
+        subject = holder  # "beside a van which is 60 m ahead of the ego": the van
     for scene in text.within(figure.start, figure.i) if located else []:
         out = any(p.outer == "from" or p.value == "between" for p in scene.event.pps)
         if out and any(p.word is word and p.on_mention is None for p in scene.event.pps):
@@ -122,13 +121,26 @@ def pair_of(figure: Figure) -> tuple[Entity, Entity] | None:
     if subject and named and (located or figure.role != "overlap"):
         return subject[0], named[0]
     first = subject[0] if subject else named[0] if named else text.ego
-    here = [p for p in text.draft.placements if located and word and p.basis.i == word.i]
-    leads = [p.entity for p in here if p.reference is first]  # "the second, 2 s behind"
-    told = [e for s in text.within(0, figure.i) if first not in s.actors for e in s.actors]
-    if located and word and word.value == "behind" and not named:
-        leads += [e for e in told if e.moving_vehicle][-1:]  # "a van brakes for a child, 15 m …"
+    leads = _leading(figure, word, first, named=bool(named)) if located and word else []
     other = next(iter(leads), None) or text.counterpart(first, text.spoken_of(0, figure.i))
     return (first, other) if other is not None and other is not first else None
+
+
+def _placed_there(figure: Figure, word: Term | None) -> list[Entity]:
+    """Who is said to be there by the phrase after a number: ``10 m ahead of it a bus``, too."""
+    placed = [m for m in figure.text.mentions for p in m.pps if p.word is word and p.fronted]
+    before = [m for m in figure.text.mentions if m.i < figure.i]
+    before = [m for m in before if any(p.word is word for p in m.pps)]
+    return list(next(iter([*before[-1:], *placed])).entities) if before or placed else []
+
+
+def _leading(figure: Figure, word: Term, first: Entity, *, named: bool) -> list[Entity]:
+    """Of whom one is behind: ``the second, 2 s behind``, ``a van brakes; we are 15 m behind``."""
+    text = figure.text
+    here = [p for p in text.draft.placements if p.basis.i == word.i]
+    told = [e for s in text.within(0, figure.i) if first not in s.actors for e in s.actors]
+    acting = [e for e in told if e.moving_vehicle and word.value == "behind" and not named]
+    return [*(p.entity for p in here if p.reference is first), *acting[-1:]]
 
 
 def _brought_in(figure: Figure) -> list[list[Entity]]:

@@ -12,6 +12,7 @@ from scegen.scenario.vocabulary import (
     JunctionKind,
     Maneuver,
     ParticipantKind,
+    Side,
 )
 from scegen.understanding.building.viewpoint import Placed
 from scegen.understanding.draft import Draft
@@ -40,12 +41,15 @@ def settle_along(draft: Draft, ego: Entity, happenings: Happenings) -> None:
     brakes = ego in draft.causing(*_BRAKING)
     aside = any(a.entity is ego and a.kind in _ASIDE and a.side for a in happenings.acts)
     overtaken = [d.to for d in draft.dangers if d.kind is HazardKind.OVERTAKING and ego in d.by]
+    changes = (a for a in happenings.acts if a.entity is ego and a.kind is ActKind.CHANGE_LANE)
+    first = next(changes, None)
+    leaves = first.side.opposite if first is not None and first.side is not None else None
     _stood_before(ego, draft, happenings)
     for entity in draft.entities:
         if entity is ego:
             continue
         passed = aside and any(entity in to for to in overtaken)
-        _in_the_same_lane(entity, ego, passed=passed)
+        _in_the_same_lane(entity, ego, leaves, passed=passed)
         _into_the_lane(entity, ego, happenings)
         alone = not entity.approaches and entity.heading is None and not entity.parked
         if entity.stands is not None and alone:
@@ -90,17 +94,19 @@ def _afoot(entity: Entity, *, alone: bool) -> None:
         entity.approaches = entity.approaches & along or entity.approaches
 
 
-def _in_the_same_lane(entity: Entity, ego: Entity, *, passed: bool) -> None:
+def _in_the_same_lane(entity: Entity, ego: Entity, leaves: Side | None, *, passed: bool) -> None:
     """``the ego in the right lane … a truck in the right lane``: not beside it.
 
-    Nor is who stands in the right lane, where nobody says in which one the ego drives, or whom it
-    comes up to there, or changes lanes to pass.
+    So it is where the ego changes to the left lane: it ``leaves`` the right one. Nor is who stands
+    in the right lane, where nobody says in which one the ego drives, or whom it comes up to there,
+    or changes lanes to pass.
     """
     if entity.start_lane is None or entity.approaches != {Approach.ADJACENT}:
         return
     along, words = entity.in_next_lane or (set(), entity.basis)
     met = along == {Approach.AHEAD} and words.reason is not None
-    same = ego.start_lane is not None and entity.start_lane[0] == ego.start_lane[0]
+    own = ego.start_lane[0] if ego.start_lane is not None else leaves
+    same = own is not None and entity.start_lane[0] == own
     if same or (ego.start_lane is None and (passed or met or entity.stands is not None)):
         reason = "the ego goes over to pass it" if passed else "who is met in the lane is ahead"
         reason = "in the lane of the ego" if same else reason

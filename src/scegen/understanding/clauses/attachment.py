@@ -22,6 +22,8 @@ def preposition(word: Term, state: State) -> None:
     outer = state.prep.value if state.prep is not None else None
     fronted = (before is not None and before.fronted) or opens_clause(state)
     state.prep = Prep(word, None, outer, _noun_before(word, state), fronted)
+    if fronted and "bare" in word.data and isinstance(state.at(1), Mention):
+        state.fronted, state.prep = [*state.fronted, state.prep], None  # "in front a van brakes"
 
 
 def _noun_before(word: Term, state: State) -> Mention | None:

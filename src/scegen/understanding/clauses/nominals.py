@@ -53,8 +53,6 @@ def read_mention(mention: Mention, state: State) -> None:
         lent = isinstance(owned, Mention | Thing) and mention.opened_by("indef")
         mention.negated |= lent and mention.noun == "pedestrian"  # "a child's scooter lies there"
         return
-    if state.prep is not None and state.prep.fronted and "bare" in state.prep.word.data:
-        state.fronted, state.prep = [*state.fronted, state.prep], None  # "in front a van brakes"
     if state.prep is not None:
         _prepositional(mention, state.prep, state)
         return

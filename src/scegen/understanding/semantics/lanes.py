@@ -45,7 +45,9 @@ def owners(lane: Place | None, clause: Clause, context: Context) -> list[Entity]
         return lane.owned_by
     others = [e for e in context.draft.entities if e.moving_vehicle and e not in clause.actors]
     named = [d for d in lane.dirs if d in SIDES]
+    number = lane_number(lane, context.tokens)  # "the ego in lane 1 …, a van changes to lane 1"
     there = [e for e in others if e.ego and e.start_lane and e.start_lane[0] in named]
+    there = there or [e for e in others if number is not None and e.lane == number]
     if there and lane.kind == "lane":
         return there  # "the ego in the right lane …, a car changes to the right lane"
     his = context.tokens[lane.i].low in word_list("somebodys")  # "came into his lane"
