@@ -2,6 +2,7 @@
 
 from itertools import groupby
 
+from scegen.scenario.evidence import Unsupported
 from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.draft import Draft
 from scegen.understanding.lexicon import word_list
@@ -103,6 +104,14 @@ def _unknown(draft: Draft, terms: list[Term]) -> None:
         run = list(together)
         if unknown:
             draft.note(run[0].i, run[-1].j, _NOT_UNDERSTOOD)
+
+
+def not_understood(text: str, spans: list[tuple[int, int]]) -> list[Unsupported]:
+    """The remarks on words that were left out before reading."""
+    return [
+        Unsupported(text=text[start:end], start=start, end=end, instead=_NOT_UNDERSTOOD)
+        for start, end in spans
+    ]
 
 
 def _mention(draft: Draft, mention: Mention) -> None:

@@ -41,7 +41,7 @@ class Lexicon:
 
     Attributes:
         root: the trie of phrases.
-        words: every single word that occurs in a phrase.
+        words: every single word that occurs in a phrase, or in a list of words.
         irregular: word -> (base form, form).
         units: spelled unit, as a tuple of words -> its dimension and its name.
         unit_words: the words with which units begin.
@@ -90,6 +90,9 @@ def load() -> Lexicon:
         for spelling in spellings
     }
     words.update(word for spelling in units for word in spelling)
+    for lists in (read("lists"), read("around_numbers")):
+        said = (phrase for name, them in lists.items() if name != "asides" for phrase in them)
+        words.update(word for phrase in said for word in phrase.split())
     irregular = {word: (base, form) for word, (base, form) in read("irregular").items()}
     unit_words = frozenset(spelling[0] for spelling in units)
     return Lexicon(root, frozenset(words), irregular, units, unit_words)
