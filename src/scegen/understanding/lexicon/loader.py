@@ -91,7 +91,7 @@ def load() -> Lexicon:
     }
     words.update(word for spelling in units for word in spelling)
     for lists in (read("lists"), read("around_numbers")):
-        said = (phrase for name, them in lists.items() if name != "asides" for phrase in them)
+        said = (phrase for name, them in lists.items() if name not in {"asides", "citing"} for phrase in them)
         words.update(word for phrase in said for word in phrase.split())
     irregular = {word: (base, form) for word, (base, form) in read("irregular").items()}
     unit_words = frozenset(spelling[0] for spelling in units)

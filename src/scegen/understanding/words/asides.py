@@ -20,6 +20,7 @@ _SPACED = frozenset({"length", "time"})
 _ADJECTIVAL = ("ly", "ing", "ed", "ous", "ful", "less", "able", "ible", "ive", "al", "ic", "ish")
 _REACH = 4
 _SOME_ONE = Match((), 0, "base", frozenset({"num"}))
+_ENDS_A_NOUN = frozenset({"prep", "locus", "sub", "aux", "conj", "det"})
 _STEADY = frozenset({"mild", "adjective"})
 _MARKS = frozenset({",", "(", ")", ".", ";", ":", "!", "?"})
 _ENDS = frozenset({".", ";", ":", "!", "?", ""})
@@ -27,8 +28,8 @@ _EMPTY = frozenset({"unknown", "inert", "prep", "sub", "det", "aux", "conj", "po
                     "copy", "rel", "neg"})  # fmt: skip
 _EMPTY_VERBS = frozenset({"unknown", "inert", "light", "try", "note", "encounter"})
 _OPENS_AN_ASIDE = frozenset({"prep", "sub", "manner"})
-_SUBJECTS = frozenset({"actor", "pronoun", "label", "rel", "aux", "conj", "sub"})
-_ANEW = frozenset({"det", "actor", "pronoun", "num", "possessive", "rel", "sub", "unknown"})
+_SUBJECTS = frozenset({"actor", "unknown", "pronoun", "label", "rel", "aux", "conj", "sub"})
+_ANEW = frozenset({"det", "actor", "pronoun", "num", "possessive", "rel", "sub"})
 
 
 def tag_known(tokens: list[Token]) -> tuple[list[Token], list[Term], list[tuple[int, int]]]:
@@ -106,7 +107,7 @@ def _before_a_quantity(terms: list[Term], k: int, tokens: list[Token]) -> Iterat
     kept = word_list("undeterred") | word_list("about")
     if term_at(terms, m).value != "indef":
         yield from strange if term_at(terms, m).cat == "prep" else []
-    elif _noun_at(tokens, terms[k].j)[0] is None:
+    elif (noun := _noun_at(tokens, terms[k].j)[0]) is None or noun.has("verb"):
         yield terms[m].i
         yield from (t.i for t in words if tokens[t.i].low not in kept)
     else:
@@ -123,6 +124,8 @@ def _opened(terms: list[Term], k: int, tokens: list[Token]) -> bool:
 
 def _within(tokens: list[Token], i: int) -> bool:
     """``in a tatty column``, ``half a puce metre``: whether a phrase closes over the word."""
+    if tokens[i - 1].low not in word_list("whose") or begins(tokens, i + 1, *_ENDS_A_NOUN):
+        return False
     without = tokens[:i] + tokens[i + 1 :]
     for k in range(max(0, i - _REACH), i):
         phrase, amount = longest_match(without, k), quantity_at(without, k)
@@ -156,14 +159,14 @@ def _noun_at(tokens: list[Token], j: int) -> tuple[Match | None, bool]:
             return _SOME_ONE, False  # "a bespoke stopped one", "the tatty slower of two"
         if match.has("prep", "det", "possessive", "pronoun", "aux", "sub"):
             break
-        participle = match.has("verb") and match.form in {"ing", "ed"}
-        nominal = match.has(*_NAMES) or (match.form == "base" and (j > start or match.j > j + 1))
-        aside = match.has(*_DESCRIBES) and begins(tokens, match.j, "actor", "verb")
-        if nominal and not participle and not aside:
+        inflected = match.form in {"ing", "ed"}
+        doing_named = match.only("verb") and (j > start or match.j > j + 1)
+        describes = match.has(*_DESCRIBES) and begins(tokens, match.j, "actor", "verb")
+        if not (inflected or describes) and (doing_named or match.has(*_NAMES)):
             return match, doing
-        if not (participle or match.has(*_DESCRIBES)):
+        if not (match.has(*_DESCRIBES) or (inflected and match.has("verb"))):
             break
-        doing = doing or (participle and not match.has("state"))
+        doing = doing or (inflected and not match.has("state"))
         j = match.j
     return None, doing
 
@@ -224,7 +227,9 @@ def _is_aside(inner: list[Term], after: Term, tokens: list[Token], silent: set[i
     unknown = any(t.i in silent or "unknown" in {t.cat, t.value} for t in inner)
     opens = inner[0].cat in _OPENS_AN_ASIDE or inner[0].i in silent
     told = after.cat in {"quantity", "locus", "rel"} and inner[0].cat == "prep"
-    return (unknown and opens and not told) or _said(inner, tokens) in word_list("asides")
+    said = _said(inner, tokens)
+    cited = any(said.startswith(f"{words} ") for words in word_list("citing"))
+    return (unknown and opens and not told) or cited or said in word_list("asides")
 
 
 def _goes_on(terms: list[Term], a: int, b: int) -> bool:
