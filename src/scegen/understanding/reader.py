@@ -9,8 +9,8 @@ from scegen.scenario.vocabulary import DrivingSide, JunctionKind
 from scegen.understanding.amounts.reading import read_amounts
 from scegen.understanding.building.building import Builder
 from scegen.understanding.building.choosing_ego import choose_ego
-from scegen.understanding.building.coverage import unattached, undone, with_remarks
-from scegen.understanding.building.leftovers import not_understood, report
+from scegen.understanding.building.coverage import unattached, undone
+from scegen.understanding.building.leftovers import left_out, report
 from scegen.understanding.chunks import Chunk
 from scegen.understanding.clauses.clauses import ClauseReader
 from scegen.understanding.clauses.coordination import share_out
@@ -113,7 +113,7 @@ def read(text: str) -> FunctionalScenario:
         raise InputError(msg, where="description", hint="Describe one situation at a time.")
     tokens = without_emptiness(tokenize(text))
     require_english(tokens, text)
-    tokens, terms, unknown = tag_known(tokens)
+    tokens, terms, strange = tag_known(text, tokens)
     terms = whole_bends(terms, tokens)
     require_traffic(terms, tokens)
     junction = read_junction(terms, tokens)
@@ -153,8 +153,7 @@ def read(text: str) -> FunctionalScenario:
     read_calls(terms, draft)
     report(draft, terms, chunks, crossing=junction.crossing)
     scenario = Builder(draft, ego, happenings, junction, surroundings, lengthwise).build()
-    scenario = undone(unattached(scenario, terms, events, tokens), events, tokens)
-    return with_remarks(scenario, [*scenario.unsupported, *not_understood(text, unknown)])
+    return left_out(undone(unattached(scenario, terms, events, tokens), events, tokens), strange)
 
 
 def _arms(junction: JunctionReading) -> int:

@@ -41,7 +41,7 @@ class Lexicon:
 
     Attributes:
         root: the trie of phrases.
-        words: every single word that occurs in a phrase, or in a list of words.
+        words: every single word that occurs in a phrase.
         irregular: word -> (base form, form).
         units: spelled unit, as a tuple of words -> its dimension and its name.
         unit_words: the words with which units begin.
@@ -90,9 +90,6 @@ def load() -> Lexicon:
         for spelling in spellings
     }
     words.update(word for spelling in units for word in spelling)
-    for lists in (read("lists"), read("around_numbers")):
-        said = (phrase for name, them in lists.items() if name not in {"asides", "citing"} for phrase in them)
-        words.update(word for phrase in said for word in phrase.split())
     irregular = {word: (base, form) for word, (base, form) in read("irregular").items()}
     unit_words = frozenset(spelling[0] for spelling in units)
     return Lexicon(root, frozenset(words), irregular, units, unit_words)
@@ -127,6 +124,14 @@ def abbreviations() -> dict[str, str]:
     """What is meant by each short form of a word; a form that nobody writes out means itself."""
     full: dict[str, list[str]] = read("abbreviations")
     return {s: s if word == "itself" else word for word, short in full.items() for s in short}
+
+
+@cache
+def known_words() -> frozenset[str]:
+    """Every single word of the phrases and of the lists, but those that say nothing."""
+    lists = word_lists("lists") | word_lists("around_numbers")
+    said = (phrases for name, phrases in lists.items() if name not in {"asides", "citing"})
+    return load().words.union(word for phrases in said for p in phrases for word in p.split())
 
 
 @cache

@@ -7,7 +7,8 @@
 from collections.abc import Iterator
 from itertools import pairwise
 
-from scegen.understanding.lexicon import load, word_list
+from scegen.understanding.lexicon import known_words, word_list
+from scegen.understanding.words.numbers import number_at
 from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.tagging import tag
 from scegen.understanding.words.terms import NOTHING, Match, Term, begins, longest_match, term_at
@@ -20,19 +21,24 @@ _SPACED = frozenset({"length", "time"})
 _ADJECTIVAL = ("ly", "ing", "ed", "ous", "ful", "less", "able", "ible", "ive", "al", "ic", "ish")
 _REACH = 4
 _SOME_ONE = Match((), 0, "base", frozenset({"num"}))
+_JOINTS = frozenset({"and", ","})
+_TELLING = frozenset({"actor", "place", "dir", "compass", "env", "control", "shape", "state"})
+_AWAY = frozenset({"locus", "dir", "manner", "unknown"})
 _ENDS_A_NOUN = frozenset({"prep", "locus", "sub", "aux", "conj", "det"})
 _STEADY = frozenset({"mild", "adjective"})
 _MARKS = frozenset({",", "(", ")", ".", ";", ":", "!", "?"})
 _ENDS = frozenset({".", ";", ":", "!", "?", ""})
 _EMPTY = frozenset({"unknown", "inert", "prep", "sub", "det", "aux", "conj", "possessive",
-                    "copy", "rel", "neg"})  # fmt: skip
-_EMPTY_VERBS = frozenset({"unknown", "inert", "light", "try", "note", "encounter"})
+                    "copy", "rel", "neg", "quant"})  # fmt: skip
 _OPENS_AN_ASIDE = frozenset({"prep", "sub", "manner"})
+_LISTED = frozenset({"det", "num", "conj", "possessive", "actor"})
 _SUBJECTS = frozenset({"actor", "unknown", "pronoun", "label", "rel", "aux", "conj", "sub"})
 _ANEW = frozenset({"det", "actor", "pronoun", "num", "possessive", "rel", "sub"})
 
 
-def tag_known(tokens: list[Token]) -> tuple[list[Token], list[Term], list[tuple[int, int]]]:
+def tag_known(
+    text: str, tokens: list[Token]
+) -> tuple[list[Token], list[Term], list[tuple[int, int]]]:
     """The tokens that say something, their terms, and where what is not understood stood.
 
     Returns:
@@ -40,6 +46,7 @@ def tag_known(tokens: list[Token]) -> tuple[list[Token], list[Term], list[tuple[
     """
     terms = tag(tokens)
     silent = _adverbs(terms, tokens) | _adjectives(terms, tokens)
+    silent |= _compounds(text, tokens, silent)
     for aside in _asides(terms, tokens, silent):
         silent |= aside
     if not silent:
@@ -48,9 +55,7 @@ def tag_known(tokens: list[Token]) -> tuple[list[Token], list[Term], list[tuple[
     return kept, tag(kept), list(_spans(terms, tokens, silent))
 
 
-def _spans(
-    terms: list[Term], tokens: list[Token], silent: set[int]
-) -> Iterator[tuple[int, int]]:
+def _spans(terms: list[Term], tokens: list[Token], silent: set[int]) -> Iterator[tuple[int, int]]:
     """From the first word that is not understood to the last, in each run of silent ones."""
     strange = {t.i for t in terms if "unknown" in {t.cat, t.value} or t.cat == "num"}
     strange |= {i for i in silent if _is_unknown(tokens[i])}
@@ -66,7 +71,8 @@ def _spans(
 def _is_unknown(token: Token) -> bool:
     """Whether neither phrases nor lists have the word, in whatever form."""
     bases = (base for base, _ in token.forms)
-    return token.kind == "word" and load().words.isdisjoint([token.low, *bases])
+    known = not known_words().isdisjoint([token.low, *bases])
+    return token.kind == "word" and not known and number_at([token], 0) is None
 
 
 def _adverbs(terms: list[Term], tokens: list[Token]) -> set[int]:
@@ -88,9 +94,30 @@ def _adjectives(terms: list[Term], tokens: list[Token]) -> set[int]:
         if term.cat == "quantity":
             found.update(_before_a_quantity(terms, k, tokens))
         elif term.cat == "unknown" and _is_unknown(tokens[term.i]):
-            stands = term.j in found or _describes(terms, k, tokens) or _within(tokens, term.i)
-            if stands and _opened(terms, k, tokens):
-                found.add(term.i)
+            joined = low_at(tokens, term.j) in _JOINTS and term.j + 1 in found
+            stands = term.j in found or joined or _describes(terms, k, tokens)
+            if (stands or _within(tokens, term.i)) and _opened(terms, k, tokens):
+                found.update(range(term.i, term.j + joined))
+    return found
+
+
+def _compounds(text: str, tokens: list[Token], silent: set[int]) -> set[int]:
+    """``a mud-spattered van``, ``the run-of-the-mill ego``; but "a left-flurbing van"."""
+    found = set[int]()
+    joined = [text[a.end : b.start] == "-" for a, b in pairwise(tokens)]
+    i = 0
+    while i < len(joined):
+        j = i
+        while j < len(joined) and joined[j]:
+            j += 1
+        parts = range(i, j + 1)
+        strange = j > i and any(_is_unknown(tokens[k]) for k in parts)
+        if strange and (i == 0 or low_at(tokens, i - 1) in word_list("whose") or i - 1 in silent):
+            told = any(begins(tokens[: k + 1], k, *_TELLING) for k in parts)
+            noun = _noun_at(tokens, j + 1)[0]
+            if not told and (j + 1 in silent or (noun is not None and not noun.has("verb"))):
+                found.update(parts)
+        i = j + 1
     return found
 
 
@@ -98,11 +125,13 @@ def _before_a_quantity(terms: list[Term], k: int, tokens: list[Token]) -> Iterat
     """``an unvarying 60 km/h``, ``a measly 5 m``; but "a moose 20 m ahead", "an even 20 m gap"."""
     m = k - 1
     while term_at(terms, m).value in _STEADY or term_at(terms, m).cat == "unknown":
-        m -= 1
+        m -= 1 + (term_at(terms, m - 1).value == "and" and term_at(terms, m - 2).cat == "unknown")
     words = terms[m + 1 : k]
     strange = [t.i for t in words if t.cat == "unknown"]
-    spaced = terms[k].value in _SPACED
-    if not words or (spaced and not all(tokens[i].low.endswith(_ADJECTIVAL) for i in strange)):
+    away = terms[k].value in _SPACED and not (
+        term_at(terms, m - 1).cat == "prep" and term_at(terms, k + 1).cat not in _AWAY
+    )
+    if not words or (away and not all(tokens[i].low.endswith(_ADJECTIVAL) for i in strange)):
         return
     kept = word_list("undeterred") | word_list("about")
     if term_at(terms, m).value != "indef":
@@ -116,9 +145,11 @@ def _before_a_quantity(terms: list[Term], k: int, tokens: list[Token]) -> Iterat
 
 def _opened(terms: list[Term], k: int, tokens: list[Token]) -> bool:
     """Whether a noun phrase has begun before a term, or begins with it."""
-    before = term_at(terms, k - 1)
+    before, further = term_at(terms, k - 1), term_at(terms, k - 2)
     if before.cat == "unknown" and _is_unknown(tokens[before.i]):
         return _opened(terms, k - 1, tokens)
+    if before.value == "and" and further.cat == "unknown" and _is_unknown(tokens[further.i]):
+        return _opened(terms, k - 2, tokens)
     return before.cat in _OPENS_A_NOUN or before is NOTHING or before.value in _MARKS
 
 
@@ -142,6 +173,8 @@ def _describes(terms: list[Term], k: int, tokens: list[Token]) -> bool:
     noun, doing = _noun_at(tokens, terms[k].j)
     if noun is None or noun.only("num"):
         return noun is not None
+    if tokens[noun.j - 1].low in word_list("pace_nouns"):
+        return False  # "the design speed": of whom, or of what, it is
     if noun.has("verb") and not noun.has("actor"):
         # "a frobnicated lane change", but "the moose stops", "a moose cut the corner"
         base = noun.form == "base" and opener.cat in {"det", "possessive"}
@@ -155,7 +188,9 @@ def _noun_at(tokens: list[Token], j: int) -> tuple[Match | None, bool]:
     start, doing = j, False
     while j < start + _REACH and (match := longest_match(tokens, j)) is not None:
         stands_for_it = low_at(tokens, match.j) in {"one", "ones"}
-        if stands_for_it or (tokens[j].low in word_list("compared") and low_at(tokens, j + 1) == "of"):
+        if stands_for_it or (
+            tokens[j].low in word_list("compared") and low_at(tokens, j + 1) == "of"
+        ):
             return _SOME_ONE, False  # "a bespoke stopped one", "the tatty slower of two"
         if match.has("prep", "det", "possessive", "pronoun", "aux", "sub"):
             break
@@ -183,7 +218,7 @@ def _asides(terms: list[Term], tokens: list[Token], silent: set[int]) -> Iterato
             if end is not None and _says_nothing(inner, tokens, silent):
                 yield set(range(terms[a].i, terms[end].j))
             continue
-        commas = {left, right} <= {",", *_ENDS} and "," in {left, right} and ":" != left
+        commas = {left, right} <= {",", *_ENDS} and "," in {left, right} and left != ":"
         after = term_at(terms, b + 1)
         if not (inner and commas and _is_aside(inner, after, tokens, silent)):
             continue
@@ -204,7 +239,7 @@ def _says_nothing(inner: list[Term], tokens: list[Token], silent: set[int]) -> b
         or (t.cat in _EMPTY and (t.cat != "unknown" or _strange(tokens[t.i])))
         or (t.cat == "num" and tokens[t.i].low.isdigit())
         or t.value in {"mild", "."}
-        or (t.cat == "verb" and t.value in _EMPTY_VERBS)
+        or (t.cat == "verb" and t.value in word_list("saying_nothing"))
         for t in inner
     )
     words = [t for t in inner if t.cat not in {"num", "punct"}]
@@ -225,8 +260,10 @@ def _is_aside(inner: list[Term], after: Term, tokens: list[Token], silent: set[i
     if not _says_nothing(inner, tokens, silent):
         return False
     unknown = any(t.i in silent or "unknown" in {t.cat, t.value} for t in inner)
-    opens = inner[0].cat in _OPENS_AN_ASIDE or inner[0].i in silent
-    told = after.cat in {"quantity", "locus", "rel"} and inner[0].cat == "prep"
+    first, numbered = inner[0], any(t.cat == "num" for t in inner)
+    opens = first.cat in _OPENS_AN_ASIDE or first.i in silent or (len(inner) > 1 and not numbered)
+    told = first.cat in {"prep", "det"} and after.cat in {"quantity", "locus", "rel"}
+    told = told or (first.cat == "det" and after.cat in _LISTED)
     said = _said(inner, tokens)
     cited = any(said.startswith(f"{words} ") for words in word_list("citing"))
     return (unknown and opens and not told) or cited or said in word_list("asides")
