@@ -47,21 +47,23 @@ def tag_known(
     terms = tag(tokens)
     silent = _adverbs(terms, tokens) | _adjectives(terms, tokens)
     silent |= _compounds(text, tokens, silent)
-    for aside in _asides(terms, tokens, silent):
+    strange = {t.i for t in terms if "unknown" in {t.cat, t.value} or t.cat == "num"}
+    strange |= {i for i in silent if _is_unknown(tokens[i])}
+    for aside, inner in _asides(terms, tokens, silent):
         silent |= aside
+        if _said(inner, tokens) in word_list("asides"):
+            strange -= aside
     if not silent:
         return tokens, terms, []
     kept = [token for i, token in enumerate(tokens) if i not in silent]
-    return kept, tag(kept), list(_spans(terms, tokens, silent))
+    return kept, tag(kept), list(_spans(tokens, silent, strange))
 
 
-def _spans(terms: list[Term], tokens: list[Token], silent: set[int]) -> Iterator[tuple[int, int]]:
+def _spans(tokens: list[Token], silent: set[int], strange: set[int]) -> Iterator[tuple[int, int]]:
     """From the first word that is not understood to the last, in each run of silent ones."""
-    strange = {t.i for t in terms if "unknown" in {t.cat, t.value} or t.cat == "num"}
-    strange |= {i for i in silent if _is_unknown(tokens[i])}
     run: list[int] = []
     for i in range(len(tokens) + 1):
-        if i in silent:
+        if i in silent and tokens[i].kind != "punct":
             run += [i] if i in strange else []
         elif run:
             yield tokens[run[0]].start, tokens[run[-1]].end
@@ -206,8 +208,10 @@ def _noun_at(tokens: list[Token], j: int) -> tuple[Match | None, bool]:
     return None, doing
 
 
-def _asides(terms: list[Term], tokens: list[Token], silent: set[int]) -> Iterator[set[int]]:
-    """The tokens of each aside that says nothing, with the marks that it brings along."""
+def _asides(
+    terms: list[Term], tokens: list[Token], silent: set[int]
+) -> Iterator[tuple[set[int], list[Term]]]:
+    """Each aside that says nothing: its tokens, with the marks that it brings along, its terms."""
     marks = [k for k, t in enumerate(terms) if t.cat == "punct" and t.value in _MARKS]
     for a, b in pairwise([-1, *marks, len(terms)]):
         left, right = term_at(terms, a).value, term_at(terms, b).value
@@ -216,7 +220,7 @@ def _asides(terms: list[Term], tokens: list[Token], silent: set[int]) -> Iterato
             end = next((k for k in marks if k > a and terms[k].value == ")"), None)
             inner = terms[a + 1 : end]
             if end is not None and _says_nothing(inner, tokens, silent):
-                yield set(range(terms[a].i, terms[end].j))
+                yield set(range(terms[a].i, terms[end].j)), inner
             continue
         commas = {left, right} <= {",", *_ENDS} and "," in {left, right} and left != ":"
         after = term_at(terms, b + 1)
@@ -227,7 +231,7 @@ def _asides(terms: list[Term], tokens: list[Token], silent: set[int]) -> Iterato
             drops.add(terms[a].i)
         if right == ",":
             drops.add(terms[b].i)
-        yield drops
+        yield drops, inner
 
 
 def _says_nothing(inner: list[Term], tokens: list[Token], silent: set[int]) -> bool:
