@@ -10,7 +10,7 @@ from scegen.understanding.amounts.reading import read_amounts
 from scegen.understanding.building.building import Builder
 from scegen.understanding.building.choosing_ego import choose_ego
 from scegen.understanding.building.coverage import unattached, undone
-from scegen.understanding.building.leftovers import report
+from scegen.understanding.building.leftovers import left_out, report
 from scegen.understanding.chunks import Chunk
 from scegen.understanding.clauses.clauses import ClauseReader
 from scegen.understanding.clauses.coordination import share_out
@@ -46,10 +46,10 @@ from scegen.understanding.road.surroundings import read_surroundings
 from scegen.understanding.semantics.context import Context
 from scegen.understanding.semantics.rows import say
 from scegen.understanding.semantics.seen import settle_far_sides
+from scegen.understanding.words.asides import tag_known
 from scegen.understanding.words.emptiness import without_emptiness
 from scegen.understanding.words.places import count_places, settle_sides
 from scegen.understanding.words.refusing import require_english, require_traffic
-from scegen.understanding.words.tagging import tag
 from scegen.understanding.words.tokens import Token, tokenize
 
 MAX_CHARACTERS = 20_000
@@ -113,7 +113,8 @@ def read(text: str) -> FunctionalScenario:
         raise InputError(msg, where="description", hint="Describe one situation at a time.")
     tokens = without_emptiness(tokenize(text))
     require_english(tokens, text)
-    terms = whole_bends(tag(tokens), tokens)
+    tokens, terms, strange = tag_known(text, tokens)
+    terms = whole_bends(terms, tokens)
     require_traffic(terms, tokens)
     junction = read_junction(terms, tokens)
     surroundings = read_surroundings(terms, tokens)
@@ -152,7 +153,7 @@ def read(text: str) -> FunctionalScenario:
     read_calls(terms, draft)
     report(draft, terms, chunks, crossing=junction.crossing)
     scenario = Builder(draft, ego, happenings, junction, surroundings, lengthwise).build()
-    return undone(unattached(scenario, terms, events, tokens), events, tokens)
+    return left_out(undone(unattached(scenario, terms, events, tokens), events, tokens), strange)
 
 
 def _arms(junction: JunctionReading) -> int:

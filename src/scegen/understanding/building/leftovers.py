@@ -2,6 +2,9 @@
 
 from itertools import groupby
 
+from scegen.scenario.evidence import Unsupported
+from scegen.scenario.functional import FunctionalScenario
+from scegen.understanding.building.coverage import with_remarks
 from scegen.understanding.chunks import Chunk, Event, Mention, Place
 from scegen.understanding.draft import Draft
 from scegen.understanding.lexicon import word_list
@@ -103,6 +106,13 @@ def _unknown(draft: Draft, terms: list[Term]) -> None:
         run = list(together)
         if unknown:
             draft.note(run[0].i, run[-1].j, _NOT_UNDERSTOOD)
+
+
+def left_out(scenario: FunctionalScenario, spans: list[tuple[int, int]]) -> FunctionalScenario:
+    """The scenario with remarks on words that were left out before reading."""
+    text = scenario.description
+    found = [Unsupported(text=text[i:j], start=i, end=j, instead=_NOT_UNDERSTOOD) for i, j in spans]
+    return with_remarks(scenario, [*scenario.unsupported, *found])
 
 
 def _mention(draft: Draft, mention: Mention) -> None:

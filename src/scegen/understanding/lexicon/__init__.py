@@ -4,10 +4,20 @@ from scegen.understanding.lexicon.loader import (
     Entry,
     Lexicon,
     abbreviations,
+    known_words,
     load,
     load_contexts,
     word_list,
     word_lists,
 )
 
-__all__ = ["Entry", "Lexicon", "abbreviations", "load", "load_contexts", "word_list", "word_lists"]
+__all__ = [
+    "Entry",
+    "Lexicon",
+    "abbreviations",
+    "known_words",
+    "load",
+    "load_contexts",
+    "word_list",
+    "word_lists",
+]

@@ -127,6 +127,14 @@ def abbreviations() -> dict[str, str]:
 
 
 @cache
+def known_words() -> frozenset[str]:
+    """Every single word of the phrases and of the lists, but those that say nothing."""
+    lists = word_lists("lists") | word_lists("around_numbers")
+    said = (phrases for name, phrases in lists.items() if name not in {"asides", "citing"})
+    return load().words.union(word for phrases in said for p in phrases for word in p.split())
+
+
+@cache
 def word_list(name: str) -> frozenset[str]:
     """The words of a list."""
     return (word_lists("lists") | word_lists("around_numbers"))[name]

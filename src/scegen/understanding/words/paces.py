@@ -99,9 +99,12 @@ def _ends_place(tokens: list[Token], k: int, i: int) -> bool:
 
 
 def doing(tokens: list[Token], i: int) -> bool:
-    """Whether a verb of motion stands right before: "doing about 50", "rolls up with 30"."""
+    """Whether a verb of motion stands right before: "doing about 50", "stays on 90"."""
     k = _led_by(tokens, i)
-    verbs = tokens[max(0, k - _BESIDE) : k] if tokens[k].low == "with" else tokens[k : k + 1]
+    before = tokens[max(0, k - _BESIDE) : k]
+    if tokens[k].low == "on":
+        return any(t.base in word_list("at_the_wheel") for t in before[-1:])
+    verbs = before if tokens[k].low == "with" else tokens[k : k + 1]
     return any(t.base in word_list("pacing") for t in verbs)
 
 
