@@ -49,7 +49,11 @@ def settle_along(draft: Draft, ego: Entity, happenings: Happenings) -> None:
         if entity is ego:
             continue
         passed = aside and any(entity in to for to in overtaken)
-        _in_the_same_lane(entity, ego, leaves, passed=passed)
+        comes_up = any(
+            p.reference is entity and p.approaches == {Approach.BEHIND}
+            for p in draft.placements_of(ego)
+        )
+        _in_the_same_lane(entity, ego, leaves, passed=passed, met=comes_up)
         _into_the_lane(entity, ego, happenings)
         alone = not entity.approaches and entity.heading is None and not entity.parked
         if entity.stands is not None and alone:
@@ -94,24 +98,27 @@ def _afoot(entity: Entity, *, alone: bool) -> None:
         entity.approaches = entity.approaches & along or entity.approaches
 
 
-def _in_the_same_lane(entity: Entity, ego: Entity, leaves: Side | None, *, passed: bool) -> None:
+def _in_the_same_lane(
+    entity: Entity, ego: Entity, leaves: Side | None, *, passed: bool, met: bool
+) -> None:
     """``the ego in the right lane … a truck in the right lane``: not beside it.
 
     So it is where the ego changes to the left lane: it ``leaves`` the right one. Nor is who stands
-    in the right lane, where nobody says in which one the ego drives, or whom it comes up to there,
-    or changes lanes to pass.
+    in the right lane, where nobody says in which one the ego drives, or whom it comes up to or is
+    behind of there, or changes lanes to pass.
     """
     if entity.start_lane is None or entity.approaches != {Approach.ADJACENT}:
         return
     along, words = entity.in_next_lane or (set(), entity.basis)
-    met = along == {Approach.AHEAD} and words.reason is not None
+    met = along == {Approach.AHEAD} and (met or words.reason is not None)
     own = ego.start_lane[0] if ego.start_lane is not None else leaves
     same = own is not None and entity.start_lane[0] == own
     if same or (ego.start_lane is None and (passed or met or entity.stands is not None)):
         reason = "the ego goes over to pass it" if passed else "who is met in the lane is ahead"
         reason = "in the lane of the ego" if same else reason
         behind = {Approach.BEHIND} if same and along == {Approach.BEHIND} else None
-        entity.comes_from(behind or {Approach.AHEAD}, entity.start_lane[1].because(reason))
+        told = words if met and not same else entity.start_lane[1].because(reason)
+        entity.comes_from(behind or {Approach.AHEAD}, told)
 
 
 def _into_the_lane(entity: Entity, ego: Entity, happenings: Happenings) -> None:

@@ -114,6 +114,7 @@ def tag(tokens: list[Token]) -> list[Term]:
         if term.value == "crosswalk" and _list_of_doings(terms, tokens, term):
             term = _term_at(tokens[: i + 1], i, _before(terms, tokens))
         held = around_somebody(tokens, term) if owned else None
+        held = held or _around_adverb(tokens, term, _before(terms, tokens))
         if held is not None:
             term, tail, end = held
             tails[tail] = end
@@ -212,6 +213,20 @@ def _cut_down(match: Match, tokens: list[Token], i: int, previous: Term) -> Matc
         return longest_match(tokens, i, i + 1)  # "two pedestrians crossing", no crossing
     participle = cut.form in {"ed", "ing"}  # "a car parked", no car park
     return longest_match(tokens, i, cut.j - 1) if participle else cut
+
+
+def _around_adverb(
+    tokens: list[Token], term: Term, previous: Term
+) -> tuple[Term, int, int] | None:
+    """``gets completely back into its lane``: the verb before, and the phrase's rest behind."""
+    if term.cat != "verb" or term.j != term.i + 1 or not low_at(tokens, term.j).endswith("ly"):
+        return None
+    match = _match_at([*tokens[: term.j], *tokens[term.j + 1 :]], term.i, previous)
+    if match is None or match.j == term.j or not match.only("verb"):
+        return None
+    entry = match.entries[0]
+    verb = replace(term, value=entry.value, data=entry.data)
+    return verb, term.j + 1, match.j + 1
 
 
 def _undergone(tokens: list[Token], i: int) -> bool:
