@@ -215,9 +215,7 @@ def _cut_down(match: Match, tokens: list[Token], i: int, previous: Term) -> Matc
     return longest_match(tokens, i, cut.j - 1) if participle else cut
 
 
-def _around_adverb(
-    tokens: list[Token], term: Term, previous: Term
-) -> tuple[Term, int, int] | None:
+def _around_adverb(tokens: list[Token], term: Term, previous: Term) -> tuple[Term, int, int] | None:
     """``gets completely back into its lane``: the verb before, and the phrase's rest behind."""
     if term.cat != "verb" or term.j != term.i + 1 or not low_at(tokens, term.j).endswith("ly"):
         return None
