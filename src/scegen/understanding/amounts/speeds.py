@@ -22,7 +22,7 @@ def held(figure: Figure) -> bool:
     """A speed that somebody holds: whose it is by its words or clause, else who acts there."""
     text, speed, words_ = figure.text, figure.quantity.value, Basis(figure.i, figure.j)
     change = _from_to(figure)
-    taken = _taken(figure)
+    taken = _taken(figure) if not _past_a_clause(figure) else []
     if change is not None:
         for entity in taken or [change.entity]:
             entity.speed, entity.speed_basis = figure.quantity.parts[0], words_
@@ -30,7 +30,7 @@ def held(figure: Figure) -> bool:
     shared = text.low(figure.j, figure.j + 1).strip() in {"each", "both"}
     if taken and not shared:
         return True
-    meant = [e for e in _meant(figure) if e not in taken]
+    meant = [e for e in _past_a_clause(figure) or _meant(figure) if e not in taken]
     able = _able(figure, meant)
     if not able and text.ego.speed is None:
         able = _able(figure, [text.ego]) or meant or [text.ego]
@@ -133,6 +133,17 @@ def _meant(figure: Figure) -> list[Entity]:
     movers = [e for e in figure.actors if not e.parked]
     owned = figure.text.tokens[figure.start].low in word_list("its_own")
     return figure.subject if owned or not movers else movers
+
+
+def _past_a_clause(figure: Figure) -> list[Entity]:
+    """``steps out when the ego is 20 m away, at 4 km/h``: a comma ends the clause put in."""
+    text, clause = figure.text, figure.clause
+    if clause is None or clause[2] or text.low(figure.i - 2, figure.i - 1) != " , ":
+        return []
+    begin, told = clause[0], text.within(figure.start, clause[0])
+    far = any(c.cat == "quantity" and begin < c.i < figure.i for c in text.chunks)
+    inside = text.within(begin, figure.i)
+    return told[-1].actors if told and far and not inside else []
 
 
 def _hand_on(entity: Entity, figure: Figure) -> None:

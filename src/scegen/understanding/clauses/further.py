@@ -1,5 +1,7 @@
 """What is said further of a noun: what else it is, parts of it, relative clauses."""
 
+from itertools import takewhile
+
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep
 from scegen.understanding.clauses.dependents import chain, depend
 from scegen.understanding.clauses.state import State
@@ -54,12 +56,13 @@ def also_from(noun: NounPhrase, state: State) -> bool:
 
 
 def bracketed(state: State) -> bool:
-    """``vehicle 1 (a taxi)``: a noun alone in brackets describes the noun before.
+    """``vehicle 1 (a taxi)``, ``vehicle A (ego, 60 km/h)``: it describes the noun before.
 
     In "60 km/h (van)" the number is its.
     """
-    brackets = (state.at(-1).value, state.at(1).value) == ("(", ")")
-    return brackets and state.at(-2).cat != "quantity"
+    told = takewhile(lambda c: c.cat in {"quantity", "prep"} or c.value == ",", state.after(_REACH))
+    closes = state.at(1 + len(list(told))).value == ")"
+    return state.at(-1).value == "(" and closes and state.at(-2).cat != "quantity"
 
 
 def _names_before(state: State) -> bool:
