@@ -149,7 +149,8 @@ def _counted(events: list[Event], draft: Draft) -> dict[int, tuple[int, Basis]]:
 def _labelled(chunks: list[Chunk], draft: Draft) -> dict[int, tuple[int, Basis]]:
     """``bus first, ego second``, ``a van, a taxi, the VUT last``: one behind the other."""
     told = {}
-    for place, label in pairwise(chunks):
+    stated = [c for c in chunks if (c.cat, c.value) != ("aux", "be")]  # "the VUT is last"
+    for place, label in pairwise(stated):
         who = place.entities if isinstance(place, Mention) else []
         at = POSITIONS.get(draft.tokens[label.i].low) if label.cat == "label" else None
         if at is not None and len(who) == 1 and "ranked" not in who[0].named_by:

@@ -3,14 +3,15 @@
 import re
 from dataclasses import replace
 
-from scegen.understanding.lexicon import word_list
+from scegen.understanding.lexicon import load, word_list
 from scegen.understanding.words.numbers import POSITIONS, number_at
 from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.terms import NOTHING, Term, cat_at, noun_follows, term_at
 from scegen.understanding.words.tokens import Token, low_at
 
-_LABELLED = re.compile(r"^(?:v|veh|u|d|t|tp|car|cv|obj|tgt|gvt)\d{1,2}$")
+_LABELLED = re.compile(r"^(?:v|veh|u|d|t|tp|car|cv|obj|tgt|gvt|tv|vt|lv|ov)\d{1,2}$")
 _WALKER = re.compile(r"^(?:p|ped)\d{1,2}$")
+_FEW_DIGITS = 3
 _LONGEST = 4
 """So many words a name of a road has, at most."""
 _ROAD = re.compile(r"^(?:a|b|m|i|us|sr|cr|sh|fm|rn|hwy|rte)\d{1,2}$")
@@ -32,6 +33,11 @@ def _labelled(token: Token, i: int) -> Term | None:
     for names, kind, label in ((_LABELLED, "car", "#"), (_WALKER, "pedestrian", "#p")):
         if names.match(token.low):
             return Term("actor", kind, i, i + 1, data={"label": f"{label}{digits}"})
+    noun = load().root.following.get(token.low.removesuffix(digits))  # "POV1", "truck2"
+    for entry in noun.entries if noun is not None and 0 < len(digits) < _FEW_DIGITS else ():
+        if entry.cat == "actor" and not entry.data.get("ego"):
+            kind = "car" if "label" in entry.data else entry.value
+            return Term("actor", kind, i, i + 1, data={"label": f"#{digits}"})
     return None
 
 
