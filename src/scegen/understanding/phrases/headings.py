@@ -213,7 +213,7 @@ def _comes_again(mention: Mention, title: list[Chunk], rest: list[Chunk]) -> boo
     fresh = [c for c in told if _new(c)]
     there = any(m.cat == "quantity" for m in (*title, *mention.mods))  # "car target 80 m ahead"
     generic = kind == "car" and any(c.is_ego or _of_kind(c, kind) for c in told)
-    return (generic and not there) or any(kind == "car" or _of_kind(c, kind) for c in fresh)
+    return (generic and not there) or any(kind in _GENERIC or _of_kind(c, kind) for c in fresh)
 
 
 def _introduced_again(mention: Mention, rest: list[Chunk]) -> bool:

@@ -212,6 +212,15 @@ def called_shortly(terms: list[Term], tokens: list[Token]) -> list[Term]:
     return found
 
 
+def under_test(terms: list[Term]) -> list[Term]:
+    """``the EVT overtakes a cyclist``: the ego, unless another word names one."""
+    if any("ego" in t.data for t in terms):
+        return terms
+    return [
+        replace(t, value="ego", data={"ego": True}) if "tested" in t.data else t for t in terms
+    ]
+
+
 def _number(noun: Token) -> str:
     return "s" if noun.low.endswith("s") else "base"
 
