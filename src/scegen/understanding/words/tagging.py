@@ -108,7 +108,7 @@ def tag(tokens: list[Token]) -> list[Term]:
     owned = any(token.low in GENITIVES for token in tokens)
     while i < len(tokens):
         if i in tails:
-            terms.append(Term("inert", "noun", i, tails[i]))
+            terms.append(Term("manner", "mild", i, tails[i]))
             i = tails[i]
             continue
         term = _term_at(tokens, i, _before(terms, tokens))
