@@ -53,7 +53,7 @@ def keep_aside(scene: Setup) -> None:
             _put_aside(scene, who, other, apart_m if side is Side.LEFT else -apart_m)
     outcome = scene.functional.outcome
     if outcome is not None and outcome.impact_percent is not None:
-        left_m = (0.5 - scene.impact_share) * scene.ego.body.width_m
+        left_m = scene.struck_left_m(scene.ego.body)
         for name in sorted({*outcome.between} & {*scene.drives} - {scene.ego.id}):
             _put_aside(scene, scene.drives[name], scene.ego, left_m)
 

@@ -198,8 +198,8 @@ def back_straight_out(scene: Setup, draft: DriveDraft, other: DriveDraft) -> Mee
         event_m, lag_s = nearest_m - _SHORT_M - braking_m, stops_s + _STOOD_S
         rests_m = event_m + braking_m
     elif wanted and strikes:
-        share = scene.impact_share if draft is scene.ego else 0.5
-        comes_m = place_m + (0.5 - share) * body.width_m / left
+        left_m = scene.struck_left_m(body) if draft is scene.ego else 0.0
+        comes_m = place_m + left_m / left
         comes_m -= other.body.centre_ahead_m
         event_m, rests_m = nearest_m, across_m + braking_m
     else:
@@ -241,5 +241,6 @@ def _struck_m(
     if other is not scene.ego or outcome is None or outcome.impact_percent is None:
         return across_m
     depth_m, left = line
-    left_m = (0.5 - scene.impact_share) * other.body.width_m
-    return depth_m + left_m * copysign(1.0, left) + draft.body.centre_ahead_m
+    return (
+        depth_m + scene.struck_left_m(other.body) * copysign(1.0, left) + draft.body.centre_ahead_m
+    )

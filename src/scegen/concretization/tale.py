@@ -7,6 +7,7 @@ from scegen.concretization.profile import SpeedChange
 from scegen.enumeration.ranges import speed_range
 from scegen.motion.friction import GRAVITY_MPS2, friction_of
 from scegen.scenario.acts import GAINING, LEAVING, SLOWING, Act, ActKind, AfterAct, WhenMeasure
+from scegen.scenario.bodies import Body
 from scegen.scenario.concrete import Change
 from scegen.scenario.functional import FunctionalScenario, Hazard
 from scegen.scenario.hazards import FROM_BESIDE, HAZARDS
@@ -159,6 +160,10 @@ class Tale:
         outcome = self.functional.outcome
         percent = outcome.impact_percent if outcome is not None else None
         return 0.5 if percent is None else percent.middle / 100
+
+    def struck_left_m(self, body: Body) -> float:
+        """How far to the left of the middle of a body that is."""
+        return (0.5 - self.impact_share) * body.width_m
 
     def hazard_of(self, act: Act) -> HazardKind | None:
         """The danger that an act is, if it is one; rather one of just such moves aside."""

@@ -96,7 +96,7 @@ def rests_m(tale: Tale, walk: Walker, met: Met, *, centre_m: float) -> float:
 
 def _struck_m(tale: Tale, met: Met) -> float:
     """The way that one has gone when the other touches it as is said."""
-    return met.middle_m + met.to_left * (0.5 - tale.impact_share) * met.body.width_m
+    return met.middle_m + met.to_left * tale.struck_left_m(met.body)
 
 
 def setback_m(tale: Tale, walk: Walker, strip_m: float) -> float:

@@ -100,8 +100,8 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     begins, lasts = _in_time(fast, slow, (out_lane, offset), (begins, usual), fixed=fixed)
     told = story.has_said_speed(fast.id) and not story.acts_of(foremost.id, GAINING)
     least_mps = _HARDLY_MPS if told else _FASTER_MPS / 2
-    gains_on_it = fast.speed_mps - foremost.fastest_mps < least_mps
-    if gains_on_it:
+    too_slow = fast.speed_mps - foremost.fastest_mps < least_mps
+    if too_slow:
         top = min(foremost.fastest_mps + _FASTER_MPS, fast.body.top_speed_mps)
         begins = begins if fast.speed_mps - foremost.speed_mps >= least_mps else now
         gains = SpeedChange(top, COMFORTABLE_ACCELERATION_MPS2, begins + lasts, act=act.id)
@@ -116,7 +116,7 @@ def _pass(story: Story, act: Act, fast: Runner, line: list[Runner]) -> None:
     def is_clear(times_s: Array) -> Bools:
         return free(fast.track(times_s)[0], foremost.track(times_s)[0]).rear >= clear_m
 
-    if not (stays or at_once or (gains_on_it and told)):  # a said speed is held until it is out
+    if not (stays or at_once or (too_slow and told)):  # a said speed is held until it is out
         out = Move(begins, lasts, out_lane, offset)
         latest = _latest_s(fast, slow, out, by_then=aside is not None)
         # Who is to be as near as is said when it comes back has come out by then.

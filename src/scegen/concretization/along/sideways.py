@@ -71,8 +71,7 @@ def offset_all(story: Story) -> None:
             continue
         if name in told and not (ego.moves or runner.moves):
             continue  # it stays where it is said to be
-        left = (0.5 - story.impact_share) * ego.body.width_m
-        _put_aside(runner, ego, left, in_the_end=True)
+        _put_aside(runner, ego, story.struck_left_m(ego.body), in_the_end=True)
 
 
 def _left_m(

@@ -131,7 +131,8 @@ def _placed_there(figure: Figure, word: Term | None) -> list[Entity]:
     placed = [m for m in figure.text.mentions for p in m.pps if p.word is word and p.fronted]
     before = [m for m in figure.text.mentions if m.i < figure.i]
     before = [m for m in before if any(p.word is word for p in m.pps)]
-    return list(next(iter([*before[-1:], *placed])).entities) if before or placed else []
+    there = [*before[-1:], *placed]
+    return list(there[0].entities) if there else []
 
 
 def _leading(figure: Figure, word: Term, first: Entity, *, named: bool) -> list[Entity]:

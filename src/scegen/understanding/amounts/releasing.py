@@ -143,7 +143,8 @@ def _main(figure: Figure, clause: tuple[int, int, str] | None) -> Doing | None:
     between = _is_put_between(figure.text, figure.start, begin)
     if not after and (between or not before):
         after = [a for a in here if a.i > figure.i]  # no comma: "when it is 20 m away it brakes"
-    return next(iter((*(before[-1:] if not (between and after) else []), *after)), None)
+    front = [] if between and after else before[-1:]
+    return next(iter((*front, *after)), None)
 
 
 def _is_put_between(text: Telling, start: int, opens: int) -> bool:

@@ -22,7 +22,8 @@ def held(figure: Figure) -> bool:
     """A speed that somebody holds: whose it is by its words or clause, else who acts there."""
     text, speed, words_ = figure.text, figure.quantity.value, Basis(figure.i, figure.j)
     change = _from_to(figure)
-    taken = _taken(figure) if not _past_a_clause(figure) else []
+    outer = _past_a_clause(figure)
+    taken = _taken(figure) if not outer else []
     if change is not None:
         for entity in taken or [change.entity]:
             entity.speed, entity.speed_basis = figure.quantity.parts[0], words_
@@ -30,7 +31,7 @@ def held(figure: Figure) -> bool:
     shared = text.low(figure.j, figure.j + 1).strip() in {"each", "both"}
     if taken and not shared:
         return True
-    meant = [e for e in _past_a_clause(figure) or _meant(figure) if e not in taken]
+    meant = [e for e in outer or _meant(figure) if e not in taken]
     able = _able(figure, meant)
     if not able and text.ego.speed is None:
         able = _able(figure, [text.ego]) or meant or [text.ego]

@@ -20,10 +20,11 @@ def preposition(word: Term, state: State) -> None:
     if before is not None and (word.cat != "locus" or before.word.cat == "locus"):
         release(state)
     outer = state.prep.value if state.prep is not None else None
-    fronted = (before is not None and before.fronted) or opens_clause(state)
+    there = "bare" in word.data and isinstance(state.at(1), Mention)  # "in front a van brakes"
+    fronted = there or (before is not None and before.fronted) or opens_clause(state)
     state.prep = Prep(word, None, outer, _noun_before(word, state), fronted)
-    if fronted and "bare" in word.data and isinstance(state.at(1), Mention):
-        state.fronted, state.prep = [*state.fronted, state.prep], None  # "in front a van brakes"
+    if there:
+        state.fronted, state.prep = [*state.fronted, state.prep], None
 
 
 def _noun_before(word: Term, state: State) -> Mention | None:

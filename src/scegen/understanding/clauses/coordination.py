@@ -1,7 +1,7 @@
 """Nouns and verbs joined by "and", "or" or commas: what they share, and what is shared out."""
 
 from dataclasses import replace
-from itertools import groupby, pairwise, takewhile
+from itertools import dropwhile, groupby, pairwise
 
 from scegen.understanding.chunks import Event, Mention, Place, Prep
 from scegen.understanding.clauses.dependents import alternative, chain
@@ -180,8 +180,8 @@ def joins(mention: Mention, state: State) -> bool:
 
 def _is_said_to_be(state: State) -> bool:
     """``and a van at 40 km/h is behind it``: a copula of its own comes behind the noun."""
-    phrase = takewhile(lambda c: c.cat not in {"aux", "punct", "conj", "sub"}, state.after(_NEAR))
-    return state.at(1 + len(list(phrase))).value == "be"
+    rest = dropwhile(lambda c: c.cat not in {"aux", "punct", "conj", "sub"}, state.after(_NEAR + 1))
+    return next(rest, NOTHING).value == "be"
 
 
 def _somewhere_else(anchor: Mention, state: State) -> bool:

@@ -1,12 +1,13 @@
 """What is said further of a noun: what else it is, parts of it, relative clauses."""
 
-from itertools import takewhile
+from itertools import dropwhile
 
 from scegen.understanding.chunks import Event, Mention, NounPhrase, Place, Prep
 from scegen.understanding.clauses.dependents import chain, depend
 from scegen.understanding.clauses.state import State
 from scegen.understanding.lexicon import word_list
 from scegen.understanding.phrases.lookahead import chunk_at, ends, predicate_opens
+from scegen.understanding.words.terms import NOTHING
 
 _OF_ANY_KIND = frozenset({"car", "driver", "traffic"})
 _GOES_ON = frozenset({"prep", "locus", "sub", "rel", "quantity"})  # behind the second comma
@@ -60,9 +61,11 @@ def bracketed(state: State) -> bool:
 
     In "60 km/h (van)" the number is its.
     """
-    told = takewhile(lambda c: c.cat in {"quantity", "prep"} or c.value == ",", state.after(_REACH))
-    closes = state.at(1 + len(list(told))).value == ")"
-    return state.at(-1).value == "(" and closes and state.at(-2).cat != "quantity"
+    if state.at(-1).value != "(" or state.at(-2).cat == "quantity":
+        return False
+    after = state.after(_REACH + 1)
+    rest = dropwhile(lambda c: c.cat in {"quantity", "prep"} or c.value == ",", after)
+    return next(rest, NOTHING).value == ")"
 
 
 def _names_before(state: State) -> bool:

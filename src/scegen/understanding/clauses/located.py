@@ -116,8 +116,6 @@ def opens_clause(state: State) -> bool:
 
     "Behind the ego is a truck", "from the left comes a bus, and from the right a van".
     """
-    if "bare" in getattr(state.at(0), "data", ()) and isinstance(state.at(1), Mention):
-        return True  # "ego 50 km/h, in front a van": of nobody, so the van is there
     begins = not state.events and state.candidate is None and not state.mentions
     road = isinstance(state.anchor, Place) and state.anchor.kind == "highway"
     begins = begins and (state.anchor is None or road)  # "a kiosk on the left hides a child"

@@ -110,7 +110,7 @@ _FEWEST = 2
 _NUMBERS = ("first", "second", "third", "fourth", "fifth", "sixth")
 _BRAKING = frozenset({"brake", "hard_brake", "stop", "slow"})
 _UNTOLD = 99
-"""Behind those whose place is told, before the last, which is told as -1 and sorts as 100."""
+"""Behind those whose place is told, before the last."""
 _ELSEWHERE = {Approach.ADJACENT, Approach.OPPOSITE, Approach.LEFT, Approach.RIGHT}
 _ORDERS = {"row": Approach.AHEAD, "abreast": Approach.ADJACENT}
 
@@ -129,7 +129,7 @@ def line_up(chunks: list[Chunk], events: list[Event], draft: Draft) -> None:
     row = [e for e in draft.entities if e.moving_vehicle and e.index not in apart]
     last = [e for e in row if told.get(e.index, (0, None))[0] < 0]
     row = [e for e in row if last or (len(told) >= _FEWEST and e.index in told)]
-    row.sort(key=lambda e: told.get(e.index, (_UNTOLD, None))[0] % (_UNTOLD + 2))
+    row.sort(key=lambda e: (e in last, told.get(e.index, (_UNTOLD, None))[0]))
     for leader, follower in combinations(row, 2):
         if (found := told.get(follower.index) or told.get(leader.index)) is not None:
             draft.place(leader, follower, {Approach.AHEAD}, found[1])

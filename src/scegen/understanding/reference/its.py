@@ -24,7 +24,7 @@ def others_than_it(
     for before, event in pairwise(events):
         if _is_waited_for(before, event, tokens) or _slows_ahead(before, event):
             yield from product((m for m in _its(event) if m.i > before.i), before.subject)
-    yield from _placed_alike(mentions, events, tokens)
+    yield from _placed_in_turn(mentions, events, tokens)
     backs = any(e.name == "reverse" and m.is_ego for e in events for m in e.subject)
     egos = [m for m in mentions if m.is_ego and not backs]
     for event in events:
@@ -41,7 +41,7 @@ def same_again(
     return {id(again): prep.who for again, prep, _ in found if is_it(prep.who)}
 
 
-def _placed_alike(
+def _placed_in_turn(
     mentions: Sequence[Mention], events: Sequence[Event], tokens: list[Token]
 ) -> Iterator[tuple[Mention, Mention]]:
     """``a van ahead of it and a bus on the left of it``: the second "it" is not the van."""

@@ -129,20 +129,19 @@ def _lanes(found: Surroundings, terms: list[Term], k: int, tokens: list[Token]) 
     """``two lanes per direction``, ``a four-lane road``."""
     number = terms[k]
     noun = next((t for t in terms[k + 1 : k + 3] if t.cat == "place"), None)
+    count = int(min(number.data["number"], 99))
     which = terms[max(0, k - 3) : k]
     if [t.cat for t in which] == ["place", "num", "prep"] and which[-1].value == "of":
-        count = int(min(number.data["number"], 99))  # "in lane 2 of 3"
         if which[0].value == "lane" and 1 < count <= MAX_LANES:
             found.lanes, found.lanes_basis = count, Basis(which[-1].i, number.j)
             found.measured.append(number)
-        return
+        return  # "in lane 2 of 3"
     if noun is None or (number.i and tokens[number.i - 1].low == "lane"):
         return  # "from lane 1 to lane 2"
     after = {t.low for t in tokens[noun.j : noun.j + 4]}
     each_way = noun.value == "lane" and bool(after & {"direction", "way"})
     if noun.value != "lane" and tokens[noun.i].low != "lane":
         return
-    count = int(min(number.data["number"], 99))
     if count == 1 and {t.low for t in tokens[noun.j : noun.j + 3]} & word_list("lanes_aside"):
         return  # "moves one lane to the left"
     likely = count <= MAX_LANES and _one_way(terms[k + 1 : k + 4], count, tokens)

@@ -9,7 +9,7 @@ from scegen.understanding.words.quantities import quantity_at
 from scegen.understanding.words.terms import NOTHING, Term, cat_at, noun_follows, term_at
 from scegen.understanding.words.tokens import Token, low_at
 
-_LABELLED = re.compile(r"^(?:v|veh|u|d|t|tp|car|cv|obj|tgt|gvt|tv|vt|lv|ov)\d{1,2}$")
+_LABELLED = re.compile(r"^(?:v|veh|u|d|t|cv|obj|tgt|vt|ov)\d{1,2}$")
 _WALKER = re.compile(r"^(?:p|ped)\d{1,2}$")
 _FEW_DIGITS = 3
 _LONGEST = 4
@@ -212,13 +212,11 @@ def called_shortly(terms: list[Term], tokens: list[Token]) -> list[Term]:
     return found
 
 
-def under_test(terms: list[Term]) -> list[Term]:
+def tested_alone(terms: list[Term]) -> list[Term]:
     """``the EVT overtakes a cyclist``: the ego, unless another word names one."""
     if any("ego" in t.data for t in terms):
         return terms
-    return [
-        replace(t, value="ego", data={"ego": True}) if "tested" in t.data else t for t in terms
-    ]
+    return [replace(t, value="ego", data={"ego": True}) if "tested" in t.data else t for t in terms]
 
 
 def _number(noun: Token) -> str:

@@ -12,7 +12,7 @@ from scegen.understanding.words.names import (
     named_at,
     of_no_known_kind,
     street_name,
-    under_test,
+    tested_alone,
     whose_doing,
     with_articles,
 )
@@ -124,7 +124,7 @@ def tag(tokens: list[Token]) -> list[Term]:
         i = terms[-1].j
     crossed = _crossings(terms, tokens)
     named = with_articles(name_letters(crossed, tokens), tokens)
-    return whose_doing(of_no_known_kind(called_shortly(under_test(named), tokens), tokens))
+    return whose_doing(of_no_known_kind(called_shortly(tested_alone(named), tokens), tokens))
 
 
 def _crossings(terms: list[Term], tokens: list[Token]) -> list[Term]:
